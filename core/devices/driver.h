@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/line/line.h"
+#include "core/values/journalentry.h"
+#include "core/values/reading.h"
+#include "core/values/sampleblock.h"
+#include "core/values/sensorconfig.h"
+
+namespace gorizont {
+
+/// What a driver needs to know beside the line.
+struct DriverSettings
+{
+    SensorConfig sensor;
+    Timing timing;
+    double gravity = 9.81347; ///< m/s², [Common] Gravity
+    int ringPackets = 8192; ///< SrsBufSize
+    bool asksInformation = false; ///< CanInfo
+};
+
+/// A driver's event for the user's journal; the engine adds time, port and sensor.
+struct DriverNote
+{
+    JournalKind kind = JournalKind::Info;
+    QString text;
+};
+
+/// Speaks with one sensor. Lives in the thread of its line, may block only inside Line::exchange(), reads top to
+/// bottom: ask, get, check, next.
+class Driver
+{
+public:
+    explicit Driver(DriverSettings settings)
+        : m_settings(std::move(settings))
+    {
+    }
+    virtual ~Driver();
+    Driver(const Driver &) = delete;
+    Driver &operator=(const Driver &) = delete;
+
+    /// One turn: the current values. A fault is one failed turn, whatever was exchanged before it.
+    virtual Result<Measurement> poll(Line &line) = 0;
+
+    /// Bulk data wait in the device. fetch() takes one bounded step of them; the offset stays in the driver, so the
+    /// line is free for others between any two steps.
+    virtual bool hasBacklog() const { return false; }
+
+    /// An empty list: that step brought nothing, the transfer goes on or is over. Called only while hasBacklog().
+    virtual Result<QList<SampleBlock>> fetch(Line &line);
+
+    /// The line was opened anew, or polling goes on after a pause: nothing is known about what happened meanwhile.
+    virtual void restart() {}
+
+    /// Events since the last call, once for each change of state.
+    QList<DriverNote> takeNotes() { return std::exchange(m_notes, {}); }
+
+    const DriverSettings &settings() const { return m_settings; }
+
+protected:
+    void note(JournalKind kind, const QString &text) { m_notes.append({kind, text}); }
+
+private:
+    DriverSettings m_settings;
+    QList<DriverNote> m_notes;
+};
+
+} // namespace gorizont

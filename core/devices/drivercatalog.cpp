@@ -1,0 +1,51 @@
+#include "core/devices/drivercatalog.h"
+
+#include "core/devices/and3/and3driver.h"
+#include "core/devices/and3/and3simulator.h"
+#include "core/devices/ind3/ind3driver.h"
+#include "core/devices/ind3/ind3simulator.h"
+
+#include <array>
+
+namespace gorizont {
+
+namespace {
+
+/// One line a device. Static registration objects would be lost in a static library (spec/traps.md, 7).
+struct Entry
+{
+    SensorType type;
+    std::unique_ptr<Driver> (*makeDriver)(DriverSettings);
+    std::unique_ptr<SimulatedDevice> (*makeSimulator)(const SensorConfig &, quint64 seed);
+};
+
+constexpr std::array<Entry, 2> catalog{{
+    {SensorType::InD, ind3::makeDriver, ind3::makeSimulator},
+    {SensorType::AnD3, and3::makeDriver, and3::makeSimulator},
+}};
+
+const Entry *find(SensorType type)
+{
+    for (const Entry &entry : catalog) {
+        if (entry.type == type) {
+            return &entry;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+std::unique_ptr<Driver> makeDriver(DriverSettings settings)
+{
+    const Entry *entry = find(settings.sensor.type);
+    return entry ? entry->makeDriver(std::move(settings)) : nullptr;
+}
+
+std::unique_ptr<SimulatedDevice> makeSimulatedDevice(const SensorConfig &sensor, quint64 seed)
+{
+    const Entry *entry = find(sensor.type);
+    return entry ? entry->makeSimulator(sensor, seed) : nullptr;
+}
+
+} // namespace gorizont

@@ -1,0 +1,7 @@
+#include "core/devices/simulateddevice.h"
+
+namespace gorizont {
+
+SimulatedDevice::~SimulatedDevice() = default;
+
+} // namespace gorizont

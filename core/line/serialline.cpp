@@ -1,0 +1,159 @@
+#include "core/line/serialline.h"
+
+#include <QDeadlineTimer>
+#include <QFile>
+
+#ifdef Q_OS_LINUX
+#include <linux/serial.h>
+#include <sys/ioctl.h>
+#endif
+
+namespace gorizont {
+
+namespace {
+
+QSerialPort::Parity qtParity(Parity parity)
+{
+    switch (parity) {
+    case Parity::None: return QSerialPort::NoParity;
+    case Parity::Even: return QSerialPort::EvenParity;
+    case Parity::Odd: return QSerialPort::OddParity;
+    case Parity::Mark: return QSerialPort::MarkParity;
+    case Parity::Space: return QSerialPort::SpaceParity;
+    }
+    return QSerialPort::NoParity;
+}
+
+QSerialPort::StopBits qtStopBits(StopBits bits)
+{
+    switch (bits) {
+    case StopBits::One: return QSerialPort::OneStop;
+    case StopBits::OneAndHalf: return QSerialPort::OneAndHalfStop;
+    case StopBits::Two: return QSerialPort::TwoStop;
+    }
+    return QSerialPort::OneStop;
+}
+
+/// Asks the driver of the adapter to switch the direction itself; false where it cannot.
+bool enableRs485([[maybe_unused]] QSerialPort &port)
+{
+#ifdef Q_OS_LINUX
+    serial_rs485 settings{};
+    settings.flags = SER_RS485_ENABLED | SER_RS485_RTS_ON_SEND;
+    return ioctl(port.handle(), TIOCSRS485, &settings) == 0;
+#else
+    return port.setRequestToSend(false);
+#endif
+}
+
+} // namespace
+
+SerialLine::SerialLine(const QString &device, const LineConfig &config, std::chrono::milliseconds pauseTick)
+    : Line(pauseTick)
+    , m_config(config)
+{
+    m_port.setPortName(device);
+    // Between two turns the event loop watches the port; without this it would report a vanished one without end.
+    QObject::connect(
+        &m_port, &QSerialPort::errorOccurred, &m_port,
+        [this] {
+            if (m_port.isOpen() && hasFailed()) {
+                closeBroken();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+SerialLine::~SerialLine() = default;
+
+Result<void> SerialLine::open()
+{
+    m_port.clearError();
+    if (m_port.open(QIODevice::ReadWrite) && configure(m_config)) {
+        m_port.clear();
+        return {};
+    }
+    return closeBroken();
+}
+
+bool SerialLine::configure(const LineConfig &config)
+{
+    return m_port.setBaudRate(config.baudRate)
+        && m_port.setDataBits(static_cast<QSerialPort::DataBits>(config.dataBits))
+        && m_port.setParity(qtParity(config.parity)) && m_port.setStopBits(qtStopBits(config.stopBits))
+        && m_port.setFlowControl(QSerialPort::NoFlowControl) && (!config.isRs485 || enableRs485(m_port));
+}
+
+void SerialLine::close()
+{
+    m_port.close();
+}
+
+bool SerialLine::isOpen() const
+{
+    return m_port.isOpen();
+}
+
+Result<void> SerialLine::writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout)
+{
+    if (!m_port.isOpen()) {
+        return Fault::Closed;
+    }
+    m_port.write(bytes.data(), bytes.size());
+    const QDeadlineTimer deadline(timeout);
+    while (m_port.bytesToWrite() > 0) {
+        if (!m_port.waitForBytesWritten(static_cast<int>(deadline.remainingTime()))) {
+            if (hasFailed()) {
+                return closeBroken();
+            }
+            m_port.clear(QSerialPort::Output);
+            setLastError(QSerialPort::TimeoutError, m_port.errorString());
+            return Fault::Timeout;
+        }
+    }
+    return hasFailed() ? Result<void>(closeBroken()) : Result<void>();
+}
+
+Result<QByteArray> SerialLine::readSome(std::chrono::microseconds timeout)
+{
+    if (!m_port.isOpen()) {
+        return Fault::Closed;
+    }
+    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(timeout);
+    const bool hasBytes = m_port.bytesAvailable() > 0 || m_port.waitForReadyRead(static_cast<int>(wait.count()));
+    if (!hasBytes && hasFailed()) {
+        return closeBroken();
+    }
+    const QByteArray bytes = m_port.readAll();
+    // A zero-length read of a vanished device is silent in later Qt versions; its node is not.
+    if (bytes.isEmpty() && wait.count() > 0 && !isNodePresent()) {
+        setLastError(QSerialPort::ResourceError, QStringLiteral("the device is gone"));
+        m_port.close();
+        return Fault::Closed;
+    }
+    return bytes;
+}
+
+bool SerialLine::isNodePresent() const
+{
+#ifdef Q_OS_WIN
+    return true;
+#else
+    const QString name = m_port.portName();
+    return QFile::exists(name.startsWith(u'/') ? name : QStringLiteral("/dev/") + name);
+#endif
+}
+
+bool SerialLine::hasFailed() const
+{
+    return m_port.error() != QSerialPort::NoError && m_port.error() != QSerialPort::TimeoutError;
+}
+
+Fault SerialLine::closeBroken()
+{
+    setLastError(m_port.error(), m_port.errorString());
+    m_port.close();
+    return Fault::Closed;
+}
+
+} // namespace gorizont
