@@ -69,7 +69,7 @@ public:
     const Error &lastError() const { return m_lastError; }
 
 protected:
-    /// Writes everything within \a timeout. Closed: the line is gone. Timeout: the other side takes nothing.
+    /// Writes everything. Closed: the line is gone, or did not take the bytes within \a timeout; it is closed then.
     virtual Result<void> writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout) = 0;
 
     /// Waits at most \a timeout for bytes and returns all that are there. Empty: none came, the line is still good.

@@ -103,12 +103,8 @@ Result<void> SerialLine::writeAll(QByteArrayView bytes, std::chrono::millisecond
     const QDeadlineTimer deadline(timeout);
     while (m_port.bytesToWrite() > 0) {
         if (!m_port.waitForBytesWritten(static_cast<int>(deadline.remainingTime()))) {
-            if (hasFailed()) {
-                return closeBroken();
-            }
-            m_port.clear(QSerialPort::Output);
-            setLastError(QSerialPort::TimeoutError, m_port.errorString());
-            return Fault::Timeout;
+            // A port that does not take a few bytes in time is broken too.
+            return closeBroken();
         }
     }
     return hasFailed() ? Result<void>(closeBroken()) : Result<void>();

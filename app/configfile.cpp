@@ -1,0 +1,31 @@
+#include "app/configfile.h"
+
+#include "core/config/inifile.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+namespace gorizont {
+
+namespace {
+
+/// A configuration has some kilobytes; a file of this size was chosen by mistake.
+constexpr qint64 largestFile = 64 * 1024 * 1024;
+
+} // namespace
+
+std::optional<ConfigReading> readConfigFile(const QString &path, QString *why)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        *why = file.errorString();
+        return std::nullopt;
+    }
+    if (file.size() > largestFile) {
+        *why = QCoreApplication::translate("gorizont::ConfigFile", "the file is far too large to be a configuration");
+        return std::nullopt;
+    }
+    return readServerConfig(IniFile::fromBytes(file.readAll()));
+}
+
+} // namespace gorizont
