@@ -1,5 +1,5 @@
 #include "app/configfile.h"
-#include "app/simulator/ptyport.h"
+#include "app/ptyport.h"
 #include "app/unixsignals.h"
 
 #include <QCommandLineParser>
@@ -38,8 +38,8 @@ void addOptions(QCommandLineParser &parser)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOptions({
-        {QStringLiteral("config"), QCoreApplication::translate("gorizont::Simulator", "The ini that lists the sensors."),
-         QStringLiteral("FILE")},
+        {QStringLiteral("config"),
+         QCoreApplication::translate("gorizont::Simulator", "The ini that lists the sensors."), QStringLiteral("FILE")},
         {QStringLiteral("ports"), QCoreApplication::translate("gorizont::Simulator", "Folder for the links COMn."),
          QStringLiteral("DIR")},
         {QStringLiteral("seed"), QCoreApplication::translate("gorizont::Simulator", "Another building."),
@@ -114,8 +114,8 @@ int main(int argc, char **argv)
         }
         ports.push_back(std::make_unique<PtyPort>(line, options, directory));
         if (!ports.back()->plug()) {
-            return complain(QStringLiteral("%1: %2").arg(
-                ports.back()->linkPath(), QString::fromLocal8Bit(std::strerror(errno))));
+            return complain(
+                QStringLiteral("%1: %2").arg(ports.back()->linkPath(), QString::fromLocal8Bit(std::strerror(errno))));
         }
         planDisappearances(*faults, line, ports.back().get());
         std::printf("%s: %zu sensors\n", qPrintable(ports.back()->linkPath()), ports.back()->sensorCount());

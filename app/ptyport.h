@@ -11,8 +11,8 @@ class QSocketNotifier;
 
 namespace gorizont {
 
-/// One simulated port: a pty linked as `DIR/COMn` whose other end is a SimulatedBus. Lives in the main thread of the
-/// simulator. Real byte timing of the answers; what nobody reads is lost, as on a wire.
+/// One simulated port: a pty linked as `DIR/COMn` whose other end is a SimulatedBus. Lives in one thread with
+/// an event loop. Real byte timing of the answers; what nobody reads is lost, as on a wire.
 class PtyPort : public QObject
 {
     Q_OBJECT
@@ -41,7 +41,7 @@ private:
     int m_master = -1;
     int m_slave = -1; ///< kept open, so that a client that closes the port does not hang the pty up
     std::unique_ptr<QSocketNotifier> m_notifier;
-    QTimer m_timer;
+    QTimer m_timer{this};
     QList<SimulatedBus::Piece> m_arriving;
 };
 

@@ -1,4 +1,4 @@
-#include "app/simulator/ptyport.h"
+#include "app/ptyport.h"
 
 #include <QDir>
 #include <QFile>

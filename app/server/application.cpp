@@ -1,0 +1,160 @@
+#include "app/server/application.h"
+
+#include "app/server/readingprinter.h"
+#include "core/history/historywriter.h"
+#include "core/modbus/modbusserver.h"
+
+#include <QDeadlineTimer>
+#include <QDir>
+
+namespace gorizont {
+
+namespace {
+
+StatusRules statusRules(const ServerConfig &config)
+{
+    return {config.timing.readErrorLimit, config.timing.crcErrorLimit, config.hasLegacyStatusBits};
+}
+
+Acquisition::Settings acquisitionSettings(const ApplicationSettings &settings)
+{
+    const ServerConfig &config = settings.config;
+    LineWorkerSettings common;
+    common.timing = config.timing;
+    common.rules = statusRules(config);
+    common.gravity = config.gravity;
+    common.ringPackets = config.ringPackets;
+    common.asksInformation = config.asksInformation;
+    return {config.lines, common, settings.ports};
+}
+
+HistoryConfig historyConfig(const ApplicationSettings &settings)
+{
+    HistoryConfig history;
+    history.folder = QDir(settings.dataFolder).filePath(QStringLiteral("History"));
+    history.saveInterval = settings.config.timing.save;
+    history.ringPackets = settings.config.ringPackets;
+    history.packetsToSave = settings.config.packetsToSave;
+    history.savesFiles = settings.config.savesFiles && settings.ownsDataFolder;
+    history.lines = settings.config.lines;
+    return history;
+}
+
+} // namespace
+
+Application::Application(const ApplicationSettings &settings, QObject *parent)
+    : QObject(parent)
+    , m_settings(settings)
+    , m_registry(settings.config.lines, statusRules(settings.config))
+    , m_acquisition(acquisitionSettings(settings), m_registry, m_journal)
+{
+    m_storageThread.setObjectName(QStringLiteral("storage"));
+    m_serversThread.setObjectName(QStringLiteral("servers"));
+    m_printerThread.setObjectName(QStringLiteral("printer"));
+    makeHistory();
+    if (settings.config.servesModbus) {
+        makeModbus();
+    }
+    if (settings.printsReadings) {
+        makePrinter();
+    }
+}
+
+Application::~Application()
+{
+    shutdown();
+}
+
+void Application::makeHistory()
+{
+    m_history = std::make_unique<HistoryWriter>(historyConfig(m_settings));
+    HistoryWriter *history = m_history.get();
+    // Direct: the slots only leave the values in an inbox of bounded size.
+    connect(
+        &m_registry, &SensorRegistry::readingsChanged, history, &HistoryWriter::updateReadings, Qt::DirectConnection);
+    connect(&m_registry, &SensorRegistry::lineChanged, history, &HistoryWriter::updateLine, Qt::DirectConnection);
+    connect(&m_registry, &SensorRegistry::blockAdded, history, &HistoryWriter::appendBlock, Qt::DirectConnection);
+    connect(&m_journal, &Journal::added, history, &HistoryWriter::appendJournal, Qt::DirectConnection);
+    connect(history, &HistoryWriter::packetsSaved, &m_registry, &SensorRegistry::setPacketsSaved);
+    connect(history, &HistoryWriter::dataLineWritten, this, &Application::measurementWritten);
+    connect(history, &HistoryWriter::journal, &m_journal, &Journal::append);
+    history->updateReadings(m_registry.readings());
+    for (const LineStatus &status : m_registry.lineStatuses()) {
+        history->updateLine(status);
+    }
+    history->moveToThread(&m_storageThread);
+    connect(&m_storageThread, &QThread::started, history, &HistoryWriter::start);
+    connect(&m_storageThread, &QThread::finished, history, &HistoryWriter::stop, Qt::DirectConnection);
+}
+
+void Application::makeModbus()
+{
+    m_modbus = std::make_unique<ModbusServer>(modbusConfig(m_settings.config));
+    ModbusServer *modbus = m_modbus.get();
+    connect(&m_registry, &SensorRegistry::readingsChanged, modbus, &ModbusServer::updateReadings, Qt::QueuedConnection);
+    connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
+    connect(modbus, &ModbusServer::journal, &m_journal, &Journal::append);
+    modbus->updateReadings(m_registry.readings());
+    for (const LineStatus &status : m_registry.lineStatuses()) {
+        modbus->updateLine(status);
+    }
+    modbus->moveToThread(&m_serversThread);
+    connect(&m_serversThread, &QThread::started, modbus, &ModbusServer::connectDevice);
+    connect(&m_serversThread, &QThread::finished, modbus, &ModbusServer::disconnectDevice, Qt::DirectConnection);
+}
+
+void Application::makePrinter()
+{
+    m_printer = std::make_unique<ReadingPrinter>(m_registry);
+    ReadingPrinter *printer = m_printer.get();
+    printer->moveToThread(&m_printerThread);
+    connect(&m_registry, &SensorRegistry::readingsChanged, this, [printer](const Readings &batch) {
+        printer->offer(batch);
+    });
+}
+
+void Application::start()
+{
+    m_isRunning = true;
+    m_storageThread.start();
+    m_journal.add(JournalKind::On, tr("Gorizont Server %1 started").arg(QStringLiteral(GORIZONT_VERSION)));
+    tellComplaints();
+    m_serversThread.start();
+    m_printerThread.start();
+    m_acquisition.start();
+}
+
+void Application::tellComplaints()
+{
+    for (const Complaint &complaint : m_settings.complaints) {
+        m_journal.add(JournalKind::Error, complaint.text());
+    }
+    if (m_settings.config.savesFiles && !m_settings.ownsDataFolder) {
+        m_journal.add(
+            JournalKind::Error,
+            tr("Another copy of the program writes into %1: this copy does not save. Give it a folder of its own.")
+                .arg(QDir::toNativeSeparators(m_settings.dataFolder)));
+    }
+}
+
+bool Application::shutdown()
+{
+    if (!m_isRunning) {
+        return true;
+    }
+    m_isRunning = false;
+    const QDeadlineTimer deadline(m_settings.config.timing.exitLimit);
+    bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit);
+    haveAllEnded = endThread(m_serversThread, deadline) && haveAllEnded;
+    haveAllEnded = endThread(m_printerThread, deadline) && haveAllEnded;
+    m_journal.add(JournalKind::Off, tr("Gorizont Server ended"));
+    return endThread(m_storageThread, QDeadlineTimer(m_settings.config.timing.exitLimit)) && haveAllEnded;
+}
+
+bool Application::endThread(QThread &thread, const QDeadlineTimer &deadline)
+{
+    thread.quit();
+    return thread.wait(deadline);
+}
+
+} // namespace gorizont

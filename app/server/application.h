@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/server/acquisition.h"
+#include "core/config/serverconfig.h"
+
+#include <QObject>
+#include <QThread>
+
+#include <memory>
+
+namespace gorizont {
+
+class HistoryWriter;
+class ModbusServer;
+class ReadingPrinter;
+
+/// What the command line adds to the configuration.
+struct ApplicationSettings
+{
+    ServerConfig config;
+    QList<Complaint> complaints;
+    QString dataFolder; ///< where History goes
+    bool ownsDataFolder = true; ///< false: another copy writes there, this one only reads, shows and serves
+    PortNaming ports;
+    bool printsReadings = false;
+};
+
+/// The composition root: makes the registry and all that produces or consumes readings, each in its thread, and
+/// connects them. Knows nothing of windows. Main thread.
+class Application : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Application(const ApplicationSettings &settings, QObject *parent = nullptr);
+    ~Application() override;
+
+    SensorRegistry &registry() { return m_registry; }
+    Journal &journal() { return m_journal; }
+
+    void start();
+
+    /// Stop timers → interrupt lines → quit → wait (PExit) → flush storage. False: a thread did not end in time and the
+    /// process has to end hard. The second call does nothing.
+    bool shutdown();
+
+Q_SIGNALS:
+    /// A record of `_data` for the measurements tab.
+    void measurementWritten(const QString &line);
+
+private:
+    void makeHistory();
+    void makeModbus();
+    void makePrinter();
+    void tellComplaints();
+    bool endThread(QThread &thread, const QDeadlineTimer &deadline);
+
+    ApplicationSettings m_settings;
+    SensorRegistry m_registry;
+    Journal m_journal;
+    Acquisition m_acquisition;
+    QThread m_storageThread;
+    QThread m_serversThread;
+    QThread m_printerThread;
+    std::unique_ptr<HistoryWriter> m_history;
+    std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
+    std::unique_ptr<ReadingPrinter> m_printer; ///< empty: without --print-readings
+    bool m_isRunning = false;
+};
+
+} // namespace gorizont

@@ -1,0 +1,80 @@
+#include "app/server/startup.h"
+
+#include "app/configfile.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace gorizont {
+
+namespace {
+
+const QString fileName = QStringLiteral("GorizontServer.ini");
+const QString demoFile = QStringLiteral(":/demo.ini");
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("gorizont::Startup", text);
+}
+
+/// --data, else the folder of the ini; the demonstration has one of its own.
+QString dataFolder(const Options &options, const QString &configFile)
+{
+    if (!options.dataFolder.isEmpty()) {
+        return options.dataFolder;
+    }
+    if (options.isDemo) {
+        return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/demo");
+    }
+    return QFileInfo(configFile).absolutePath();
+}
+
+} // namespace
+
+QString findConfigFile(const Options &options)
+{
+    if (options.isDemo) {
+        return demoFile;
+    }
+    if (!options.configFile.isEmpty()) {
+        return options.configFile;
+    }
+    const QStringList places{
+        QCoreApplication::applicationDirPath(), QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation)};
+    for (const QString &place : places) {
+        const QString path = QDir(place).filePath(fileName);
+        if (QFileInfo::exists(path)) {
+            return path;
+        }
+    }
+    return {};
+}
+
+std::optional<Site> loadSite(const Options &options, const QString &configFile, QString *problem)
+{
+    Site site;
+    QString why;
+    auto reading = readConfigFile(configFile, &why);
+    if (!reading) {
+        *problem = tr(QT_TRANSLATE_NOOP(
+                          "gorizont::Startup", "%1 cannot be read (%2). Check the name and the rights of the file."))
+                       .arg(QDir::toNativeSeparators(configFile), why);
+        return std::nullopt;
+    }
+    site.reading = *std::move(reading);
+    site.configFile = options.isDemo ? configFile : QFileInfo(configFile).absoluteFilePath();
+    const QString folder = dataFolder(options, configFile);
+    if (!QDir().mkpath(folder)) {
+        *problem =
+            tr(QT_TRANSLATE_NOOP(
+                   "gorizont::Startup", "The folder %1 for the data cannot be made. Choose another one with --data."))
+                .arg(QDir::toNativeSeparators(folder));
+        return std::nullopt;
+    }
+    site.dataFolder = QFileInfo(folder).absoluteFilePath();
+    return site;
+}
+
+} // namespace gorizont

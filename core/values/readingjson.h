@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/values/lineconfig.h"
+#include "core/values/reading.h"
+
+#include <QByteArray>
+
+namespace gorizont {
+
+/// A reading as one line of JSON without a line end, UTF-8: the form of `--print-readings` and of everything else that
+/// sends readings as text. Keys: `time` (ISO 8601, UTC, ms), `number`, `name`, `type`, `port` (`COM4`), `address`,
+/// `status`, and of what is valid in this reading `tiltX`, `tiltY` (arc-seconds), `temperature` (°C), `heaterPower` (%),
+/// `fanFrequency` (1/s), `accelMax`, `accelRmsX`, `accelRmsY` (mm/s²), `accelDirection` (degrees), `rawStatus`.
+QByteArray readingToJson(const Reading &reading, const SensorConfig &sensor, const LineConfig &line);
+
+} // namespace gorizont

@@ -1,0 +1,243 @@
+#include "core/engine/lineworker.h"
+#include "core/simulation/simulatedline.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+using namespace gorizont;
+using namespace std::chrono_literals;
+
+namespace {
+
+SensorConfig inclinometer(int number, int address)
+{
+    SensorConfig sensor;
+    sensor.port = 1;
+    sensor.index = number;
+    sensor.number = number;
+    sensor.address = address;
+    sensor.isOn = true;
+    sensor.type = SensorType::InD;
+    sensor.model = QStringLiteral("IN-D3");
+    sensor.measuresTilt = true;
+    return sensor;
+}
+
+LineWorkerSettings settings(int sensors)
+{
+    LineWorkerSettings settings;
+    settings.line.index = 1;
+    settings.line.com = 7;
+    settings.line.isOn = true;
+    settings.line.baudRate = 115200;
+    for (int i = 1; i <= sensors; ++i) {
+        settings.line.sensors.append(inclinometer(i, i));
+    }
+    settings.timing.run = 50ms;
+    settings.timing.addressChange = 1ms;
+    settings.timing.readCommand = 30ms;
+    settings.timing.closePause = 200ms;
+    settings.timing.reopenPause = 100ms;
+    settings.timing.crcErrorPause = 0ms;
+    settings.timing.updateInterval = 10ms;
+    settings.rules = {3, 3, false};
+    return settings;
+}
+
+/// A simulated line that can be pulled out and plugged in from the test.
+class PluggedLine : public SimulatedLine
+{
+public:
+    PluggedLine(const LineConfig &config, const SimulatedBus::Options &options, std::atomic_bool &isPlugged)
+        : SimulatedLine(config, options, std::chrono::steady_clock::now(), 100ms)
+        , m_isPlugged(isPlugged)
+    {
+    }
+
+    Result<void> open() override
+    {
+        setLastError(2, QStringLiteral("no such port"));
+        return m_isPlugged ? SimulatedLine::open() : Result<void>(Fault::Closed);
+    }
+
+protected:
+    Result<void> writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout) override
+    {
+        if (!m_isPlugged) {
+            close();
+        }
+        return SimulatedLine::writeAll(bytes, timeout);
+    }
+
+private:
+    std::atomic_bool &m_isPlugged;
+};
+
+/// A worker in its thread and everything it says, collected in the test's thread.
+class Bench : public QObject
+{
+public:
+    explicit Bench(const LineWorkerSettings &settings, const FaultPlan &faults = {})
+        : worker(settings, [this, line = settings.line, faults] {
+            SimulatedBus::Options options;
+            options.faults = faults;
+            return std::make_unique<PluggedLine>(line, options, isPlugged);
+        })
+    {
+        worker.moveToThread(&thread);
+        connect(&thread, &QThread::started, &worker, &LineWorker::start);
+        connect(&thread, &QThread::finished, &worker, &LineWorker::stop, Qt::DirectConnection);
+        connect(&worker, &LineWorker::readingsReady, this, [this](const Readings &batch) {
+            for (const Reading &reading : batch) {
+                last[reading.number] = reading;
+                answers[reading.number] += reading.isAnswer ? 1 : 0;
+            }
+        });
+        connect(&worker, &LineWorker::lineChanged, this, [this](const LineStatus &status) { line = status; });
+        connect(&worker, &LineWorker::journal, this, [this](const JournalEntry &entry) { journal.append(entry); });
+        thread.start();
+    }
+
+    ~Bench() override
+    {
+        worker.interrupt();
+        thread.quit();
+        thread.wait();
+    }
+
+    int journalLines(JournalKind kind) const
+    {
+        return static_cast<int>(
+            std::count_if(journal.begin(), journal.end(), [kind](const auto &entry) { return entry.kind == kind; }));
+    }
+
+    std::atomic_bool isPlugged{true};
+    QThread thread;
+    LineWorker worker;
+    QHash<int, Reading> last;
+    QHash<int, int> answers;
+    LineStatus line;
+    QList<JournalEntry> journal;
+};
+
+FaultPlan faults(const char *text)
+{
+    return {*parseSimulatedFault(QString::fromLatin1(text))};
+}
+
+} // namespace
+
+class TestLineWorker : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void pollsEverySensor()
+    {
+        Bench bench(settings(3));
+        QTRY_VERIFY(bench.answers[1] > 3 && bench.answers[2] > 3 && bench.answers[3] > 3);
+        QCOMPARE(bench.last[2].status, quint16(0x0300)); // tilt is valid, the others are not measured
+        QVERIFY(bench.last[2].tilt.has_value());
+        QVERIFY(bench.last[2].period > 30ms);
+        QCOMPARE(bench.line.state, LineState::Open);
+        QVERIFY(bench.line.bytesSent > 0 && bench.line.bytesReceived > 0);
+        QCOMPARE(bench.journal.size(), 1); // one line for opening, none for each sensor
+    }
+
+    void parksASilentSensorAndKeepsItsNeighbours()
+    {
+        Bench bench(settings(2), faults("silent=1"));
+        QTRY_COMPARE(bench.last[1].status, quint16(0x3700));
+        QCOMPARE(bench.last[1].counters.readErrors, 3u);
+        const int before = bench.answers[2];
+        QTest::qWait(1000);
+        QVERIFY2(bench.answers[2] - before >= 16, qPrintable(QString::number(bench.answers[2] - before)));
+        QCOMPARE(bench.last[1].counters.readErrors, 3u); // not probed before two seconds are over
+        QCOMPARE(bench.journalLines(JournalKind::Error), 1);
+    }
+
+    void wrongCheckSumsHaveTheirOwnCode()
+    {
+        Bench bench(settings(1), faults("crc=100"));
+        QTRY_COMPARE(bench.last[1].status, quint16(0x4700));
+        QCOMPARE(bench.last[1].counters.crcErrors, 3u);
+        QCOMPARE(bench.last[1].counters.readErrors, 0u);
+    }
+
+    void survivesGarbageAndPieces()
+    {
+        FaultPlan plan = faults("garbage=100") + faults("pieces=100");
+        LineWorkerSettings patient = settings(1);
+        patient.timing.readCommand = 500ms;
+        Bench bench(patient, plan);
+        QTRY_VERIFY(bench.answers[1] > 10);
+        QVERIFY(bench.last[1].counters.readErrors + bench.last[1].counters.crcErrors <= 2);
+    }
+
+    void closesAndReopensALostPort()
+    {
+        Bench bench(settings(2));
+        QTRY_VERIFY(bench.answers[1] > 2);
+        bench.isPlugged = false;
+        QTRY_COMPARE(bench.line.state, LineState::Lost);
+        QTRY_COMPARE(bench.last[1].status, quint16(0x2700));
+        QTRY_VERIFY(bench.line.failedOpens >= 3);
+        QCOMPARE(bench.line.state, LineState::OpenFailed);
+        QVERIFY(bench.last[1].tilt.has_value()); // the last value stays
+        bench.isPlugged = true;
+        const int before = bench.answers[1];
+        QTRY_VERIFY_WITH_TIMEOUT(bench.answers[1] > before, 1000);
+        QCOMPARE(bench.journalLines(JournalKind::Error), 1);
+        QCOMPARE(bench.journalLines(JournalKind::On), 2);
+    }
+
+    void aPortThatCannotBeOpenedIsToldOnce()
+    {
+        LineWorkerSettings impatient = settings(1);
+        impatient.timing.reopenPause = 20ms;
+        Bench bench(impatient);
+        bench.isPlugged = false;
+        QTRY_VERIFY(bench.line.failedOpens > 5);
+        QCOMPARE(bench.journalLines(JournalKind::Error), 1);
+        QVERIFY(!bench.line.lastError.isEmpty());
+    }
+
+    void serviceSuspendsPollingAndRunsTasks()
+    {
+        Bench bench(settings(1));
+        QTRY_VERIFY(bench.answers[1] > 1);
+        QMetaObject::invokeMethod(
+            &bench.worker, [&] { bench.worker.setService(true); }, Qt::QueuedConnection);
+        QTRY_COMPARE(bench.line.state, LineState::Service);
+        QTRY_COMPARE(bench.last[1].status, quint16(0x0700));
+        const int before = bench.answers[1];
+        std::atomic_bool hasRun{false};
+        bench.worker.submit([&](Line &line) { hasRun = line.isOpen(); });
+        QTRY_VERIFY(hasRun);
+        QTest::qWait(200);
+        QCOMPARE(bench.answers[1], before);
+        QMetaObject::invokeMethod(
+            &bench.worker, [&] { bench.worker.setService(false); }, Qt::QueuedConnection);
+        QTRY_VERIFY(bench.answers[1] > before);
+        QCOMPARE(bench.last[1].status, quint16(0x0300));
+    }
+
+    void stopsInTheMiddleOfAWait()
+    {
+        LineWorkerSettings slow = settings(1);
+        slow.timing.readCommand = 60s;
+        Bench bench(slow, faults("silent=1"));
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+        QTest::qWait(50);
+        QElapsedTimer timer;
+        timer.start();
+        bench.worker.interrupt();
+        bench.thread.quit();
+        QVERIFY(bench.thread.wait(5000));
+        QVERIFY(timer.elapsed() < 2000);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLineWorker)
+#include "tst_lineworker.moc"
