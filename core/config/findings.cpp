@@ -61,8 +61,9 @@ void Findings::addReplaced(const QString &section, const QString &key, const QSt
 QList<Complaint> Findings::complaints() const
 {
     QList<Complaint> sorted = m_complaints;
-    std::stable_sort(
-        sorted.begin(), sorted.end(), [](const Complaint &a, const Complaint &b) { return a.line < b.line; });
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Complaint &a, const Complaint &b) {
+        return a.line < b.line;
+    });
     if (m_omitted > 0) {
         sorted.append({{}, {}, 0, QCoreApplication::translate("ServerConfig", "… and %1 more.").arg(m_omitted), {}});
     }

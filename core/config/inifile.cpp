@@ -172,8 +172,7 @@ void IniFile::replaceValue(const Entry &entry, const QString &key, const QString
 {
     QByteArray &line = m_lines[entry.line - 1];
     const bool isSameKey = entry.key.compare(key, Qt::CaseInsensitive) == 0;
-    line = encodeText(
-        withKeyAndValue(decodeText(line, m_encoding), isSameKey ? entry.key : key, value), m_encoding);
+    line = encodeText(withKeyAndValue(decodeText(line, m_encoding), isSameKey ? entry.key : key, value), m_encoding);
 }
 
 void IniFile::insertLines(qsizetype at, const QStringList &texts)

@@ -56,10 +56,10 @@ QStringView lineEndOf(QStringView text)
 QString withKeyAndValue(const QString &text, const QString &key, const QString &value)
 {
     const IniLine line = readIniLine(text);
-    const QStringView whole(text);
-    const qsizetype keyEnd = line.nameBegin + line.name.size();
-    return whole.left(line.nameBegin) + key + whole.mid(keyEnd, line.valueBegin - keyEnd) + value
-        + whole.mid(line.valueBegin + line.value.size());
+    QString changed = text;
+    changed.replace(line.valueBegin, line.value.size(), value);
+    changed.replace(line.nameBegin, line.name.size(), key);
+    return changed;
 }
 
 } // namespace gorizont

@@ -56,8 +56,7 @@ Number realNumber(const QString &written, SectionReader::Range range)
 
 } // namespace
 
-SectionReader::SectionReader(
-    const IniFile &file, const QString &section, Findings &findings, const QString &suffix)
+SectionReader::SectionReader(const IniFile &file, const QString &section, Findings &findings, const QString &suffix)
     : m_file(file)
     , m_section(section)
     , m_suffix(suffix)
@@ -88,7 +87,7 @@ bool SectionReader::take(const QString &key, int &value, Range range, const QStr
         value = static_cast<int>(number.value);
         return true;
     }
-    refuse(*entry, number.problem, action.isEmpty() ? defaultIsUsed(QString::number(value)) : action);
+    refuse(key, *entry, number.problem, action.isEmpty() ? defaultIsUsed(QString::number(value)) : action);
     return false;
 }
 
@@ -102,7 +101,7 @@ void SectionReader::take(const QString &key, double &value, Range range)
     if (number.problem.isEmpty()) {
         value = number.value;
     } else {
-        refuse(*entry, number.problem, defaultIsUsed(QString::number(value)));
+        refuse(key, *entry, number.problem, defaultIsUsed(QString::number(value)));
     }
 }
 
@@ -128,20 +127,21 @@ void SectionReader::complain(const QString &key, const QString &problem, const Q
     const auto entry = find(key);
     m_findings.add(
         {m_section, entry ? entry->key : QString(), entry ? entry->line : m_file.sectionLine(m_section), problem,
-            action});
+         action});
 }
 
 void SectionReader::replace(const QString &key)
 {
     if (const auto entry = find(key)) {
-        m_findings.addReplaced(m_section, entry->key, entry->value);
+        m_findings.addReplaced(m_section, key + m_suffix, entry->value);
     }
 }
 
-void SectionReader::refuse(const IniFile::Entry &entry, const QString &problem, const QString &action)
+void SectionReader::refuse(
+    const QString &key, const IniFile::Entry &entry, const QString &problem, const QString &action)
 {
     m_findings.add({entry.section, entry.key, entry.line, problem, action});
-    m_findings.addReplaced(entry.section, entry.key, entry.value);
+    m_findings.addReplaced(m_section, key + m_suffix, entry.value);
 }
 
 QString SectionReader::noneOf(const IniFile::Entry &entry, const QStringList &names)

@@ -51,7 +51,7 @@ public:
             names.append(choice.first);
             usual = choice.second == value ? choice.first : usual;
         }
-        refuse(*entry, noneOf(*entry, names), defaultIsUsed(usual));
+        refuse(key, *entry, noneOf(*entry, names), defaultIsUsed(usual));
     }
 
     /// Complains about \a key at its line, or at the line of the section where the key is not given.
@@ -63,7 +63,7 @@ public:
 
 private:
     std::optional<IniFile::Entry> find(const QString &key) const { return m_file.find(m_section, key + m_suffix); }
-    void refuse(const IniFile::Entry &entry, const QString &problem, const QString &action);
+    void refuse(const QString &key, const IniFile::Entry &entry, const QString &problem, const QString &action);
     static QString noneOf(const IniFile::Entry &entry, const QStringList &names);
     static QString defaultIsUsed(const QString &value);
     template <typename Duration> void takeDuration(const QString &key, Duration &value, Range range);
