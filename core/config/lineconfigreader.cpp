@@ -72,10 +72,7 @@ LineConfig readLine(const IniFile &file, int port, Findings &findings)
          {u"S"_s, Parity::Space}});
     section.take<StopBits>(
         u"StopBits"_s, line.stopBits,
-        {{u"1"_s, StopBits::One},
-         {u"1.5"_s, StopBits::OneAndHalf},
-         {u"1,5"_s, StopBits::OneAndHalf},
-         {u"2"_s, StopBits::Two}});
+        {{u"1"_s, StopBits::One}, {u"1.5"_s, StopBits::OneAndHalf}, {u"2"_s, StopBits::Two}});
     section.take(u"RS485"_s, line.isRs485);
     section.take(u"On"_s, line.isOn);
     readPlace(section, line);
@@ -90,7 +87,7 @@ int announcedPorts(SectionReader &common)
     if (announced > mostPorts) {
         common.complain(
             u"NumOfPorts"_s,
-            QCoreApplication::translate("ServerConfig", "%1 ports are announced, %2 are possible.")
+            QCoreApplication::translate("ServerConfig", "NumOfPorts is %1, but at most %2 are possible.")
                 .arg(announced)
                 .arg(mostPorts),
             QCoreApplication::translate("ServerConfig", "Only the first %1 are used.").arg(mostPorts));
@@ -113,8 +110,7 @@ void complainOfIgnoredSections(const IniFile &file, int announced, Findings &fin
                 {section,
                  {},
                  file.sectionLine(section),
-                 QCoreApplication::translate("ServerConfig", "The section is none of the %1 ports of NumOfPorts.")
-                     .arg(announced),
+                 QCoreApplication::translate("ServerConfig", "NumOfPorts does not count this section."),
                  QCoreApplication::translate("ServerConfig", "It is ignored.")});
         }
     }

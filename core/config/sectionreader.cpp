@@ -25,14 +25,8 @@ QString outside(const QString &written, SectionReader::Range range)
         .arg(quoted(written), QString::number(range.minimum), QString::number(range.maximum, 'g', 10));
 }
 
-Number checked(const QString &written, double value, bool isNumber, SectionReader::Range range)
+Number inRange(const QString &written, double value, SectionReader::Range range)
 {
-    if (written.isEmpty()) {
-        return {0, QCoreApplication::translate("ServerConfig", "There is no value.")};
-    }
-    if (!isNumber) {
-        return {0, QCoreApplication::translate("ServerConfig", "%1 is not a number.").arg(quoted(written))};
-    }
     if (value < range.minimum || value > range.maximum) {
         return {0, outside(written, range)};
     }
@@ -43,7 +37,10 @@ Number wholeNumber(const QString &written, SectionReader::Range range)
 {
     bool isNumber = false;
     const qlonglong value = written.toLongLong(&isNumber);
-    return checked(written, static_cast<double>(value), isNumber, range);
+    if (!isNumber) {
+        return {0, QCoreApplication::translate("ServerConfig", "%1 is not a whole number.").arg(quoted(written))};
+    }
+    return inRange(written, static_cast<double>(value), range);
 }
 
 /// The decimal mark may be a point or a comma (spec/gorizont.md, section 1).
@@ -51,7 +48,10 @@ Number realNumber(const QString &written, SectionReader::Range range)
 {
     bool isNumber = false;
     const double value = QString(written).replace(u',', u'.').toDouble(&isNumber);
-    return checked(written, value, isNumber && std::isfinite(value), range);
+    if (!isNumber || !std::isfinite(value)) {
+        return {0, QCoreApplication::translate("ServerConfig", "%1 is not a number.").arg(quoted(written))};
+    }
+    return inRange(written, value, range);
 }
 
 } // namespace
@@ -140,15 +140,15 @@ void SectionReader::replace(const QString &key)
 void SectionReader::refuse(
     const QString &key, const IniFile::Entry &entry, const QString &problem, const QString &action)
 {
-    m_findings.add({entry.section, entry.key, entry.line, problem, action});
+    const bool isEmpty = entry.value.isEmpty();
+    m_findings.add(
+        {entry.section, entry.key, entry.line,
+         isEmpty ? QCoreApplication::translate("ServerConfig", "There is no value.") : problem, action});
     m_findings.addReplaced(m_section, key + m_suffix, entry.value);
 }
 
 QString SectionReader::noneOf(const IniFile::Entry &entry, const QStringList &names)
 {
-    if (entry.value.isEmpty()) {
-        return QCoreApplication::translate("ServerConfig", "There is no value.");
-    }
     return QCoreApplication::translate("ServerConfig", "%1 is none of %2.")
         .arg(quoted(entry.value), names.join(QStringLiteral(", ")));
 }

@@ -43,8 +43,9 @@ public:
         }
         QStringList names;
         QString usual;
+        const QString written = QString(entry->value).replace(u',', u'.');
         for (const Choice<T> &choice : choices) {
-            if (choice.first.compare(entry->value, Qt::CaseInsensitive) == 0) {
+            if (choice.first.compare(written, Qt::CaseInsensitive) == 0) {
                 value = choice.second;
                 return;
             }

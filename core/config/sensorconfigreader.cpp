@@ -147,15 +147,14 @@ void complainOfNumber(SectionReader &section, int announced, const std::map<int,
     if (!missing.isEmpty()) {
         section.complain(
             u"NumOfSensors"_s,
-            QCoreApplication::translate(
-                "ServerConfig", "%1 sensors are announced, these have neither adr nor Name: %2.")
+            QCoreApplication::translate("ServerConfig", "NumOfSensors is %1, but these have neither adr nor Name: %2.")
                 .arg(QString::number(announced), missing),
             QCoreApplication::translate("ServerConfig", "They are left out."));
     }
     if (beyond > 0) {
         section.complain(
             u"NumOfSensors"_s,
-            QCoreApplication::translate("ServerConfig", "%1 sensors are announced, %2 more are listed.")
+            QCoreApplication::translate("ServerConfig", "NumOfSensors is %1, but %2 more are listed.")
                 .arg(announced)
                 .arg(beyond),
             QCoreApplication::translate("ServerConfig", "They are ignored."));
