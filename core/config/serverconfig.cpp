@@ -1,1 +1,141 @@
 #include "core/config/serverconfig.h"
+
+#include "core/config/claims.h"
+#include "core/config/lineconfigreader.h"
+#include "core/config/sectionreader.h"
+#include "core/config/timingreader.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+namespace gorizont {
+
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+void readProgram(SectionReader &common, ServerConfig &config)
+{
+    QString caption;
+    common.take(u"Caption"_s, caption);
+    if (!caption.isEmpty()) {
+        config.caption = caption;
+    }
+    common.take(u"Name"_s, config.name);
+    common.take(u"SerialNumber"_s, config.serialNumber);
+    if (common.has(u"Language"_s)) {
+        config.language = u"ru"_s;
+        common.take<QString>(u"Language"_s, config.language, {{u"ru"_s, u"ru"_s}, {u"en"_s, u"en"_s}});
+    }
+    common.take(u"ShowAdvanced"_s, config.showsAdvanced);
+    common.take(u"CanCopy"_s, config.allowsCopy);
+    common.take(u"CanHide"_s, config.startsHidden);
+    common.take(u"CanClose"_s, config.closesSilently);
+    common.take(u"CanOPCDA"_s, config.servesOpc);
+    if (config.servesOpc && config.allowsCopy) {
+        common.complain(
+            u"CanCopy"_s,
+            QCoreApplication::translate("ServerConfig", "CanOPCDA=1 allows one copy of the program only."),
+            QCoreApplication::translate("ServerConfig", "CanCopy=0 is used."));
+        common.replace(u"CanCopy"_s);
+        config.allowsCopy = false;
+    }
+}
+
+void readStorage(SectionReader &common, ServerConfig &config)
+{
+    common.take(u"CanSave"_s, config.savesFiles);
+    common.take(u"CanInfo"_s, config.asksInformation);
+    common.take(u"MemoCount"_s, config.memoCount, {1});
+    common.take(u"MemoDel"_s, config.memoDelete, {1});
+    common.take(u"SrsBufSize"_s, config.ringPackets, {1, 1000000});
+    common.take(u"SrsBufToSave"_s, config.packetsToSave, {1, 1000000});
+    common.take(u"Gravity"_s, config.gravity, {9, 11});
+    common.take(u"LegacyStatusBits"_s, config.hasLegacyStatusBits);
+}
+
+void readServers(SectionReader &common, ServerConfig &config)
+{
+    constexpr SectionReader::Range tcpPorts{1, 65535};
+    common.take(u"IPPort1"_s, config.modbusPort, tcpPorts);
+    common.take(u"IPPort2"_s, config.adc24Port, tcpPorts);
+    common.take(u"CanModbus"_s, config.servesModbus);
+    common.take<ModbusPacking>(
+        u"ModbusPacking"_s, config.modbusPacking,
+        {{u"ByType"_s, ModbusPacking::ByType}, {u"ByNumber"_s, ModbusPacking::ByNumber}});
+    common.take(u"ModbusBase"_s, config.modbusBase, {0, 1});
+    common.take(u"ModbusClients"_s, config.modbusClients, {1, 1000});
+    common.take(u"ModbusIdle"_s, config.modbusIdle, {0});
+    common.take(u"ModbusBind"_s, config.modbusBind);
+    static const QRegularExpression separators(u"[,;\\s]+"_s);
+    QString allowed;
+    common.take(u"ModbusAllow"_s, allowed);
+    config.modbusAllow = allowed.split(separators, Qt::SkipEmptyParts);
+}
+
+void complainOfSections(const IniFile &file, Findings &findings)
+{
+    const QString defaults = QCoreApplication::translate("ServerConfig", "The defaults of all its settings are used.");
+    if (file.sections().isEmpty()) {
+        findings.add(
+            {{},
+             {},
+             0,
+             QCoreApplication::translate("ServerConfig", "The file has no sections."),
+             QCoreApplication::translate("ServerConfig", "The defaults of all settings are used, nothing is polled.")});
+        return;
+    }
+    if (!file.hasSection(u"Common"_s)) {
+        findings.add(
+            {{}, {}, 0, QCoreApplication::translate("ServerConfig", "There is no section [Common]."), defaults});
+    }
+    if (file.hasSection(QString())) {
+        findings.add(
+            {{},
+             {},
+             file.sectionLine(QString()),
+             QCoreApplication::translate("ServerConfig", "The line stands before the first section."),
+             QCoreApplication::translate("ServerConfig", "All settings before the first section are ignored.")});
+    }
+}
+
+void complainOfRepetitions(const IniFile &file, Findings &findings)
+{
+    for (const IniFile::Entry &entry : file.repetitions()) {
+        if (entry.key.isEmpty()) {
+            findings.add(
+                {entry.section,
+                 {},
+                 entry.line,
+                 QCoreApplication::translate("ServerConfig", "The section begins in line %1 already.")
+                     .arg(file.sectionLine(entry.section)),
+                 QCoreApplication::translate("ServerConfig", "Of a key in both, the first one counts.")});
+        } else if (const auto first = file.find(entry.section, entry.key)) {
+            findings.add(
+                {entry.section, entry.key, entry.line,
+                 QCoreApplication::translate("ServerConfig", "The key stands in line %1 already.").arg(first->line),
+                 QCoreApplication::translate("ServerConfig", "The first one counts.")});
+        }
+    }
+}
+
+} // namespace
+
+ConfigReading readServerConfig(const IniFile &file)
+{
+    Findings findings;
+    ServerConfig config;
+    complainOfSections(file, findings);
+    SectionReader common(file, u"Common"_s, findings);
+    readProgram(common, config);
+    readServers(common, config);
+    readStorage(common, config);
+    config.timing = readTiming(file, findings);
+    config.lines = readLines(file, findings);
+    settleClaims(config.lines, file, findings);
+    complainOfRepetitions(file, findings);
+    config.replaced = findings.replaced();
+    return {config, findings.complaints()};
+}
+
+} // namespace gorizont
