@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/values/journalentry.h"
+#include "core/values/linestatus.h"
+#include "core/values/reading.h"
+#include "core/values/sampleblock.h"
+
+#include <QHash>
+#include <QMutex>
+
+namespace gorizont {
+
+/// What other threads left for the writer of the history. A disk that hangs for an hour must not eat the memory: of
+/// readings and lines only the last of each is kept, of samples and events the newest up to a limit. Thread-safe.
+class HistoryInbox
+{
+public:
+    static constexpr qsizetype mostEntries = 10000;
+
+    struct Contents
+    {
+        QHash<int, Reading> readings; ///< N → the last one
+        QHash<int, LineStatus> lines; ///< port → the last one
+        QHash<int, QList<SampleBlock>> blocks; ///< N → in the order of arrival; what follows a dropped one says so
+        QList<JournalEntry> entries;
+        qsizetype samplesDropped = 0;
+        qsizetype entriesDropped = 0;
+    };
+
+    /// \a mostSamples: of one sensor.
+    explicit HistoryInbox(qsizetype mostSamples)
+        : m_mostSamples(mostSamples)
+    {
+    }
+
+    void put(const Readings &batch);
+    void put(const LineStatus &status);
+
+    /// True: the writer has to be woken, nobody did since it last took the contents.
+    [[nodiscard]] bool put(const SampleBlock &block);
+    [[nodiscard]] bool put(const JournalEntry &entry);
+
+    /// Everything; the inbox is empty then.
+    Contents take();
+
+private:
+    void dropOldSamples(QList<SampleBlock> &blocks, qsizetype &kept);
+
+    const qsizetype m_mostSamples;
+    QMutex m_mutex;
+    Contents m_contents;
+    QHash<int, qsizetype> m_samples; ///< N → how many samples wait
+    bool m_isWriterWoken = false;
+};
+
+} // namespace gorizont

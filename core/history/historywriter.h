@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/history/cadence.h"
+#include "core/history/historyformat.h"
+#include "core/history/historyinbox.h"
+#include "core/history/logfile.h"
+#include "core/history/samplefile.h"
+#include "core/history/writehealth.h"
+#include "core/values/lineconfig.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <map>
+
+namespace gorizont {
+
+struct HistoryConfig
+{
+    QString folder; ///< `…/History`; created when needed
+    std::chrono::milliseconds saveInterval{1000}; ///< TmSave
+    int ringPackets = 8192; ///< SrsBufSize
+    int packetsToSave = 1; ///< SrsBufToSave
+    bool savesFiles = true; ///< CanSave; false: lines are made and shown, never written
+    QList<LineConfig> lines;
+    QTimeZone zone = QTimeZone::systemTimeZone();
+    std::chrono::milliseconds retryInterval{3000}; ///< after a failure the disk is asked this often
+};
+
+/// Writes what the sensors say into the text and binary files (manual 000, sections 6 and 7). Lives in the storage
+/// thread. The four slots that take values may be called from any thread, and should be connected with
+/// Qt::DirectConnection: they only leave the value in an inbox of bounded size. If the disk hangs, readings and states
+/// replace each other there, of every sensor SrsBufSize packets wait, older ones are dropped and the gap is recorded.
+class HistoryWriter : public QObject
+{
+    Q_OBJECT
+
+public:
+    using Clock = std::function<UtcTime()>;
+
+    explicit HistoryWriter(const HistoryConfig &config, Clock clock = utcNow, QObject *parent = nullptr);
+
+public Q_SLOTS:
+    void updateReadings(const QList<gorizont::Reading> &batch);
+    void updateLine(const gorizont::LineStatus &status);
+    void appendBlock(const gorizont::SampleBlock &block);
+    void appendJournal(const gorizont::JournalEntry &entry);
+
+    /// Repairs what an unclean end left, then writes a record every saveInterval, the first after the first interval.
+    void start();
+    /// Writes what waits in the inbox.
+    void flush();
+    /// Writes what waits in the inbox and closes every file.
+    void stop();
+
+Q_SIGNALS:
+    /// Packets of 32 samples of sensor \a number that are in its files since the start of the program.
+    void packetsSaved(int number, quint64 packets);
+    /// The record of `_data` that was due, without its line end, whether or not it could be written.
+    void dataLineWritten(const QString &line);
+    /// What the operator should know of the files; comes back through appendJournal() like every other event.
+    void journal(const gorizont::JournalEntry &entry);
+
+private:
+    void tick();
+    void armTick();
+    void writeRecords();
+    void writeRecord(HistoryStream stream, RecordFile &file, const QString &name, const QByteArray &record);
+    void saveBlock(const SampleBlock &block);
+    void writeLog();
+    void noteClockStep(SteadyTime now);
+    void noteDropped(const HistoryInbox::Contents &contents);
+    void noteRepaired(const QString &name);
+    void noteOutcome(HistoryStream stream, bool isWritten, const QString &error);
+    void note(JournalKind kind, const QString &text);
+    QString pathOf(const QString &name) const { return m_config.folder + u'/' + name; }
+
+    const HistoryConfig m_config;
+    const Clock m_clock;
+    HistoryInbox m_inbox; ///< the only member that other threads touch
+    QList<SensorColumns> m_sensors; ///< ascending N
+    QHash<int, qsizetype> m_indexOfNumber;
+    QList<LineStatus> m_lines;
+    QList<JournalEntry> m_entries; ///< not yet in the log file
+    bool m_hasAccelerometers = false;
+
+    RecordFile m_data;
+    RecordFile m_acceleration;
+    LogFile m_log;
+    std::map<int, SampleFile> m_samples; ///< by N
+    WriteHealth m_health;
+
+    Cadence m_cadence;
+    ClockWatch m_clockWatch;
+    SteadyTime m_due;
+    QTimer m_tickTimer{this};
+    QTimer m_retryTimer{this};
+};
+
+} // namespace gorizont
