@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/config/serverconfig.h"
+#include "core/values/statusword.h"
+
+#include <QHash>
+#include <QList>
+
+#include <optional>
+
+namespace gorizont {
+
+/// Which sensor stands in which slot of the block of one unit (spec/gorizont.md, section 6). Pure; fixed for a run, so
+/// that addresses never move.
+///   ByType    the sensors of the unit in ascending N, switched-off ones included, without holes;
+///   ByNumber  slot N − 1 is site number N in both units, up to the largest N of all; the rest are holes.
+class SensorSlots
+{
+public:
+    /// A hole is zeros that say "not polled, nothing valid".
+    static constexpr quint16 holeWord = 0x0F00;
+
+    /// Whether a sensor belongs to the unit.
+    using Member = bool SensorConfig::*;
+
+    /// \a limit is how many slots the address space has room for.
+    SensorSlots(
+        const QList<LineConfig> &lines, const StatusRules &rules, Member member, ModbusPacking packing, int limit);
+
+    int count() const { return static_cast<int>(m_initialWords.size()); }
+    /// 0…count() − 1; empty: this sensor is not in the unit.
+    std::optional<int> slotOf(int number) const;
+    /// The status words before anything was polled, by slot.
+    const QList<quint16> &initialWords() const { return m_initialWords; }
+    /// Site numbers that found no room below register 65536, ascending.
+    const QList<int> &unreachable() const { return m_unreachable; }
+
+private:
+    QHash<int, int> m_slotOfNumber;
+    QList<quint16> m_initialWords;
+    QList<int> m_unreachable;
+};
+
+} // namespace gorizont
