@@ -1,0 +1,136 @@
+// What the main window is made of; how it behaves stands in mainwindow.cpp.
+
+#include "ui/aboutdialog.h"
+#include "ui/attentionbanner.h"
+#include "ui/infopanel.h"
+#include "ui/mainwindow.h"
+#include "ui/sitetree.h"
+#include "ui/statepanel.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace gorizont {
+
+namespace {
+
+/// Where the window was and how it was divided: nothing else is kept outside the ini.
+QSettings windowSettings()
+{
+    const QString name = QStringLiteral("Gorizont Server");
+    return QSettings(QSettings::NativeFormat, QSettings::UserScope, name, name);
+}
+
+} // namespace
+
+void MainWindow::buildPanels(Journal &journal)
+{
+    m_tree = new SiteTree(m_registry, this);
+    m_banner = new AttentionBanner(this);
+    m_state = new StatePanel(m_registry, this);
+    m_info = new InfoPanel(m_registry, journal, m_config, this);
+    m_rows = new QSplitter(Qt::Vertical, this);
+    m_rows->setObjectName(QStringLiteral("rowsSplitter"));
+    m_rows->addWidget(m_state);
+    m_rows->addWidget(m_info);
+    m_rows->setChildrenCollapsible(false);
+    m_rows->setStretchFactor(0, 3);
+    m_rows->setStretchFactor(1, 2);
+    auto *right = new QWidget(this);
+    auto *layout = new QVBoxLayout(right);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_banner);
+    layout->addWidget(m_rows, 1);
+    m_columns = new QSplitter(Qt::Horizontal, this);
+    m_columns->setObjectName(QStringLiteral("columnsSplitter"));
+    m_columns->addWidget(m_tree);
+    m_columns->addWidget(right);
+    m_columns->setChildrenCollapsible(false);
+    m_columns->setStretchFactor(0, 0);
+    m_columns->setStretchFactor(1, 1);
+    setCentralWidget(m_columns);
+}
+
+QAction *MainWindow::addGoAction(QMenu *menu, const QString &title, int digit, const std::function<void()> &go)
+{
+    QAction *action = menu->addAction(title, this, go);
+    action->setObjectName(QStringLiteral("goAction%1").arg(digit));
+    action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(digit)));
+    return action;
+}
+
+void MainWindow::buildMenus()
+{
+    QMenu *file = menuBar()->addMenu(tr("&File"));
+    QAction *exit = file->addAction(tr("E&xit"), this, &QWidget::close);
+    exit->setObjectName(QStringLiteral("exitAction"));
+    exit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
+
+    QMenu *view = menuBar()->addMenu(tr("&View"));
+    addGoAction(view, tr("&Ports"), 1, [this] {
+        select(SiteItem::server());
+        m_state->showPorts();
+    });
+    addGoAction(view, tr("&Sensors"), 2, [this] {
+        select(SiteItem::server());
+        m_state->showSensors();
+    });
+    addGoAction(view, tr("P&ort"), 3, [this] { goToPort(); });
+    addGoAction(view, tr("S&ensor"), 4, [this] { goToSensor(); });
+    view->addSeparator();
+    addGoAction(view, tr("Se&ttings"), 5, [this] { m_info->setCurrentIndex(0); });
+    addGoAction(view, tr("&Measurements"), 6, [this] { m_info->setCurrentIndex(1); });
+    addGoAction(view, tr("&Journal"), 7, [this] { m_info->setCurrentIndex(2); });
+    view->addSeparator();
+    QAction *find = view->addAction(tr("&Find a sensor"), m_tree, &SiteTree::startSearch);
+    find->setObjectName(QStringLiteral("findAction"));
+    find->setShortcut(QKeySequence::Find);
+
+    QMenu *help = menuBar()->addMenu(tr("&Help"));
+    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
+    about->setObjectName(QStringLiteral("aboutAction"));
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_counts = new QLabel(this);
+    m_counts->setObjectName(QStringLiteral("sensorCounts"));
+    m_server = new QLabel(this);
+    m_server->setObjectName(QStringLiteral("serverStatus"));
+    m_clock = new QLabel(this);
+    m_clock->setObjectName(QStringLiteral("clock"));
+    for (QLabel *label : {m_counts, m_server, m_clock}) {
+        label->setContentsMargins(6, 0, 6, 0);
+    }
+    statusBar()->addWidget(m_counts, 1);
+    statusBar()->addPermanentWidget(m_server);
+    statusBar()->addPermanentWidget(m_clock);
+}
+
+void MainWindow::restoreLayout()
+{
+    resize(1280, 800);
+    m_columns->setSizes({300, 980});
+    m_rows->setSizes({460, 280});
+    const QSettings settings = windowSettings();
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    m_columns->restoreState(settings.value(QStringLiteral("window/columns")).toByteArray());
+    m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
+}
+
+void MainWindow::saveLayout() const
+{
+    QSettings settings = windowSettings();
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/columns"), m_columns->saveState());
+    settings.setValue(QStringLiteral("window/rows"), m_rows->saveState());
+}
+
+} // namespace gorizont

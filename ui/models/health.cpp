@@ -1,0 +1,88 @@
+#include "ui/models/health.h"
+
+#include <algorithm>
+
+namespace gorizont {
+
+namespace {
+
+using namespace statusbit;
+
+/// Answering, and something it should measure cannot be used now.
+bool lacksValues(const SensorConfig &sensor, quint16 status)
+{
+    return (sensor.measuresTilt && !isTiltValid(status)) || (sensor.measuresTemperature && !isTemperatureValid(status))
+        || (sensor.measuresAcceleration && !isAccelerationValid(status))
+        || (sensor.hasThermostat && (status & ThermostatUnsettled));
+}
+
+} // namespace
+
+Health lineHealth(LineState state)
+{
+    switch (state) {
+    case LineState::Off: return Health::Off;
+    case LineState::Opening: return Health::Unknown;
+    case LineState::Open: return Health::Good;
+    case LineState::OpenFailed:
+    case LineState::Lost: return Health::Error;
+    case LineState::Service: return Health::Service;
+    }
+    return Health::Unknown;
+}
+
+Health sensorHealth(const SensorRegistry::Sensor &sensor, LineState line)
+{
+    const quint16 status = sensor.reading.status;
+    if ((status & NotPolled) || statusCode(status) == StatusCode::PortOff) {
+        return Health::Off;
+    }
+    if (line == LineState::Service) {
+        return Health::Service;
+    }
+    if (isCritical(status)) {
+        return Health::Error;
+    }
+    if (!sensor.reading.answeredAt) {
+        return Health::Unknown;
+    }
+    return lacksValues(sensor.config, status) ? Health::Warning : Health::Good;
+}
+
+Health portHealth(LineState state, Health worstSensor)
+{
+    const Health own = lineHealth(state);
+    return own == Health::Good && worstSensor >= Health::Warning ? Health::Warning : own;
+}
+
+bool isCritical(quint16 status)
+{
+    return statusCode(status) >= StatusCode::PortError;
+}
+
+HealthCounts countHealth(const SensorRegistry &registry)
+{
+    HealthCounts counts;
+    for (const SensorRegistry::Sensor &sensor : registry.sensors()) {
+        const LineState line = registry.lines()[static_cast<std::size_t>(sensor.line)].status.state;
+        ++counts.sensors[static_cast<std::size_t>(sensorHealth(sensor, line))];
+        counts.critical += isCritical(sensor.reading.status) ? 1 : 0;
+    }
+    return counts;
+}
+
+Health siteHealth(const SensorRegistry &registry)
+{
+    Health worst = Health::Off;
+    for (const SensorRegistry::Line &line : registry.lines()) {
+        Health worstSensor = Health::Off;
+        for (const int index : line.sensors) {
+            const SensorRegistry::Sensor &sensor = registry.sensors()[static_cast<std::size_t>(index)];
+            worstSensor = std::max(worstSensor, sensorHealth(sensor, line.status.state));
+        }
+        worst = std::max(worst, portHealth(line.status.state, worstSensor));
+    }
+    return worst;
+}
+
+} // namespace gorizont

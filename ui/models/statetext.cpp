@@ -1,0 +1,160 @@
+#include "ui/models/statetext.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace gorizont::statetext {
+
+namespace {
+
+/// The translation context of every state.
+struct State
+{
+    Q_DECLARE_TR_FUNCTIONS(State)
+};
+
+/// What an answering sensor lacks, by the flags of its status word.
+QStringList shortcomings(const SensorConfig &sensor, quint16 status)
+{
+    using namespace statusbit;
+    QStringList list;
+    if (status & Rebooted && !isTiltValid(status)) {
+        list += State::tr("restarted");
+    }
+    if (status & RingOverrun) {
+        list += State::tr("samples were lost");
+    }
+    if (status & SyncError) {
+        list += State::tr("samples do not follow each other");
+    }
+    if (sensor.measuresTilt && !isTiltValid(status)) {
+        list += State::tr("tilt is not ready");
+    }
+    if (sensor.measuresTemperature && !isTemperatureValid(status)) {
+        list += State::tr("temperature is not ready");
+    }
+    if (sensor.measuresAcceleration && !isAccelerationValid(status)) {
+        list += State::tr("acceleration is not ready");
+    }
+    if (sensor.hasThermostat && (status & ThermostatUnsettled)) {
+        list += State::tr("the thermostat has not settled");
+    }
+    return list;
+}
+
+} // namespace
+
+QString line(LineState state)
+{
+    switch (state) {
+    case LineState::Off: return State::tr("Off");
+    case LineState::Opening: return State::tr("Opening");
+    case LineState::Open: return State::tr("Open, polling");
+    case LineState::OpenFailed: return State::tr("Cannot be opened");
+    case LineState::Lost: return State::tr("Connection lost");
+    case LineState::Service: return State::tr("Service mode, polling is suspended");
+    }
+    return {};
+}
+
+QString code(StatusCode code)
+{
+    switch (code) {
+    case StatusCode::Good: return State::tr("No errors");
+    case StatusCode::PortOff: return State::tr("The port is off");
+    case StatusCode::PortError: return State::tr("Port error");
+    case StatusCode::NoAnswer: return State::tr("No answer");
+    case StatusCode::CrcErrors: return State::tr("CRC errors");
+    case StatusCode::TransducerSilent: return State::tr("The transducer does not answer");
+    case StatusCode::TransducerCrc: return State::tr("CRC errors of the transducer");
+    case StatusCode::TransducerRange: return State::tr("The transducer is out of range");
+    case StatusCode::TemperatureSensor:
+        return State::tr("The temperature sensor does not work");
+    case StatusCode::TemperatureRange:
+        return State::tr("The temperature sensor is out of range");
+    case StatusCode::Fan: return State::tr("The fan does not work");
+    case StatusCode::Thermostat: return State::tr("The thermostat takes too long to settle");
+    }
+    return State::tr("Unknown error");
+}
+
+QString sensor(const SensorRegistry::Sensor &sensor, LineState line)
+{
+    const quint16 status = sensor.reading.status;
+    if (sensor.config.type == SensorType::None) {
+        return State::tr("Unknown type of sensor, not polled");
+    }
+    if (status & statusbit::NotPolled) {
+        return State::tr("Polling is off");
+    }
+    switch (sensorHealth(sensor, line)) {
+    case Health::Service: return State::tr("Service mode, polling is suspended");
+    case Health::Unknown: return State::tr("Waiting for the first answer");
+    case Health::Good: return State::tr("Answering");
+    case Health::Warning:
+        return State::tr("Answering: %1")
+            .arg(shortcomings(sensor.config, status).join(QStringLiteral(", ")));
+    case Health::Off:
+    case Health::Error: break;
+    }
+    return code(statusCode(status));
+}
+
+QString health(Health health)
+{
+    switch (health) {
+    case Health::Off: return State::tr("Off");
+    case Health::Good: return State::tr("Everything works");
+    case Health::Unknown: return State::tr("Starting");
+    case Health::Service: return State::tr("Service mode");
+    case Health::Warning: return State::tr("There are warnings");
+    case Health::Error: return State::tr("There are errors");
+    }
+    return {};
+}
+
+QString sensorTitle(const SensorConfig &sensor)
+{
+    const QString model = sensor.model.isEmpty() ? sensor.name : modelInRussian(sensor.model);
+    const QString place = sensor.place.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(sensor.place);
+    return QStringLiteral("%1 %2%3 [%4]").arg(QString::number(sensor.number), model, place).arg(sensor.address);
+}
+
+QString counts(const HealthCounts &counts)
+{
+    QStringList parts{State::tr("Sensors good: %1").arg(counts[Health::Good])};
+    const auto add = [&parts](const char *text, int count) {
+        if (count > 0) {
+            parts += State::tr(text).arg(count);
+        }
+    };
+    add(QT_TRANSLATE_NOOP("State", "with errors: %1"), counts[Health::Error]);
+    add(QT_TRANSLATE_NOOP("State", "with warnings: %1"), counts[Health::Warning]);
+    add(QT_TRANSLATE_NOOP("State", "starting: %1"), counts[Health::Unknown]);
+    add(QT_TRANSLATE_NOOP("State", "in service: %1"), counts[Health::Service]);
+    add(QT_TRANSLATE_NOOP("State", "off: %1"), counts[Health::Off]);
+    return parts.join(QStringLiteral(", "));
+}
+
+QString complaint(const Complaint &complaint)
+{
+    QStringList where;
+    if (!complaint.section.isEmpty()) {
+        where += QStringLiteral("[%1]").arg(complaint.section);
+    }
+    if (!complaint.key.isEmpty()) {
+        where += complaint.key;
+    }
+    if (complaint.line > 0) {
+        where += State::tr("(line %1)").arg(complaint.line);
+    }
+    const QString place = where.join(u' ');
+    return (place.isEmpty() ? QString() : place + QStringLiteral(": ")) + complaint.problem + u' ' + complaint.action;
+}
+
+QString yesNo(bool isYes)
+{
+    return isYes ? State::tr("yes") : State::tr("no");
+}
+
+} // namespace gorizont::statetext

@@ -1,0 +1,59 @@
+#include "ui/pages/sensorspage.h"
+
+#include "ui/models/sensormodel.h"
+#include "ui/pages/tableview.h"
+
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+namespace gorizont {
+
+namespace {
+
+constexpr std::chrono::seconds sortPeriod(3);
+
+} // namespace
+
+SensorsPage::SensorsPage(const SensorRegistry &registry, QWidget *parent)
+    : QWidget(parent)
+    , m_model(new SensorModel(registry, this))
+    , m_view(new TableView(QStringLiteral("sensorsTable"), this))
+{
+    m_view->setModel(m_model);
+    m_view->setSortingEnabled(true);
+    m_view->sortByColumn(SensorModel::Sensor, Qt::AscendingOrder);
+    m_view->setColumnSample(SensorModel::Mx, QStringLiteral("-180.000"));
+    m_view->setColumnSample(SensorModel::My, QStringLiteral("-180.000"));
+    m_view->setColumnSample(SensorModel::Amax, QStringLiteral("10000.00"));
+    m_view->setColumnSample(SensorModel::Arms, QStringLiteral("10000.00"));
+    m_view->setColumnSample(SensorModel::Temperature, QStringLiteral("-100.00"));
+    m_view->setColumnSample(SensorModel::Fan, QStringLiteral("1000.0"));
+    m_view->setColumnSample(SensorModel::Power, QStringLiteral("100.0"));
+    m_view->setColumnSample(SensorModel::Status, QStringLiteral("10 0000 0000 0000"));
+    m_view->horizontalHeader()->setMinimumSectionSize(60);
+    m_view->horizontalHeader()->setSectionResizeMode(SensorModel::Sensor, QHeaderView::Stretch);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_view);
+    connect(m_view, &TableView::rowChosen, this, [this](const QModelIndex &index) {
+        Q_EMIT chosen(SiteItem::sensor(m_model->sensorAt(index.row())));
+    });
+}
+
+void SensorsPage::refresh(SteadyTime now)
+{
+    if (now - m_sortedAt >= sortPeriod) {
+        m_sortedAt = now;
+        m_model->resort();
+    }
+    const TableView::Rows rows = m_view->visibleRows();
+    m_model->refresh(rows.first, rows.last);
+}
+
+void SensorsPage::sortByStatus()
+{
+    m_view->sortByColumn(SensorModel::Status, Qt::DescendingOrder);
+    m_view->scrollToTop();
+}
+
+} // namespace gorizont

@@ -1,0 +1,111 @@
+#include "ui/pages/tableview.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace gorizont {
+
+TableView::TableView(const QString &objectName, QWidget *parent)
+    : QTableView(parent)
+{
+    setObjectName(objectName);
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(ExtendedSelection);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setWordWrap(false);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollMode(ScrollPerPixel);
+    setTabKeyNavigation(false);
+    verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(1);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setMinimumSectionSize(fontMetrics().averageCharWidth() * 4);
+    connect(this, &QTableView::doubleClicked, this, &TableView::rowChosen);
+
+    auto *copy = new QAction(tr("&Copy"), this);
+    copy->setObjectName(QStringLiteral("copyAction"));
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    connect(copy, &QAction::triggered, this, &TableView::copySelection);
+    addAction(copy);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+TableView::Rows TableView::visibleRows() const
+{
+    if (!isVisible() || !model() || model()->rowCount() == 0) {
+        return {};
+    }
+    const int first = rowAt(0);
+    const int last = rowAt(viewport()->height() - 1);
+    return {std::max(0, first), last < 0 ? model()->rowCount() - 1 : last};
+}
+
+void TableView::setColumnSample(int column, const QString &widest)
+{
+    constexpr int margins = 22; // of a cell, and the sort indicator of a heading
+    const QString heading = model()->headerData(column, Qt::Horizontal).toString();
+    const QFont cellFont = model()->index(0, column).data(Qt::FontRole).value<QFont>();
+    const int cell = std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
+    setColumnWidth(column, std::max(fontMetrics().horizontalAdvance(heading), cell) + margins);
+}
+
+bool TableView::isAtEnd() const
+{
+    return verticalScrollBar()->value() >= verticalScrollBar()->maximum();
+}
+
+void TableView::followEnd()
+{
+    connect(model(), &QAbstractItemModel::rowsAboutToBeInserted, this, [this] { m_wasAtEnd = isAtEnd(); });
+    connect(model(), &QAbstractItemModel::rowsInserted, this, [this] {
+        if (m_wasAtEnd) {
+            scrollToBottom();
+        }
+    });
+    scrollToBottom();
+}
+
+QString TableView::selectionAsText() const
+{
+    QModelIndexList rows = selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end(), [](const QModelIndex &a, const QModelIndex &b) { return a.row() < b.row(); });
+    QStringList lines;
+    for (const QModelIndex &row : std::as_const(rows)) {
+        QStringList fields;
+        for (int column = 0; column < model()->columnCount(); ++column) {
+            fields += row.siblingAtColumn(column).data().toString();
+        }
+        lines += fields.join(u'\t');
+    }
+    return lines.join(u'\n');
+}
+
+void TableView::copySelection()
+{
+    const QString text = selectionAsText();
+    if (!text.isEmpty()) {
+        QGuiApplication::clipboard()->setText(text);
+    }
+}
+
+void TableView::keyPressEvent(QKeyEvent *event)
+{
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && currentIndex().isValid()) {
+        Q_EMIT rowChosen(currentIndex());
+        return;
+    }
+    QTableView::keyPressEvent(event);
+}
+
+} // namespace gorizont

@@ -1,0 +1,87 @@
+#include "ui/sitetree.h"
+
+#include "ui/models/icons.h"
+#include "ui/models/sitetreemodel.h"
+
+#include <QLineEdit>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace gorizont {
+
+SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
+    : QWidget(parent)
+    , m_model(new SiteTreeModel(registry, this))
+    , m_search(new QLineEdit(this))
+    , m_view(new QTreeView(this))
+{
+    m_search->setObjectName(QStringLiteral("treeSearch"));
+    m_search->setPlaceholderText(tr("Find a sensor (Ctrl+F)"));
+    m_search->setClearButtonEnabled(true);
+    m_view->setObjectName(QStringLiteral("siteTree"));
+    m_view->setModel(m_model);
+    m_view->setHeaderHidden(true);
+    m_view->setUniformRowHeights(true);
+    m_view->setIconSize(icons::treeSize());
+    m_view->setIndentation(16);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setExpandsOnDoubleClick(true);
+    m_view->expandToDepth(m_model->rowCount(m_model->indexOf(SiteItem::server())) <= 4 ? 1 : 0);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    auto *searchLayout = new QVBoxLayout;
+    searchLayout->setContentsMargins(6, 6, 6, 6);
+    searchLayout->addWidget(m_search);
+    layout->addLayout(searchLayout);
+    layout->addWidget(m_view);
+
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
+        Q_EMIT selectionChanged(m_model->itemAt(current));
+    });
+    connect(m_search, &QLineEdit::textEdited, this, [this] { find(false); });
+    connect(m_search, &QLineEdit::returnPressed, this, [this] { find(true); });
+}
+
+SiteItem SiteTree::selected() const
+{
+    return m_model->itemAt(m_view->currentIndex());
+}
+
+void SiteTree::select(SiteItem item)
+{
+    const QModelIndex index = m_model->indexOf(item);
+    m_view->setCurrentIndex(index);
+    m_view->scrollTo(index);
+}
+
+void SiteTree::refresh()
+{
+    m_model->refresh();
+}
+
+void SiteTree::startSearch()
+{
+    m_search->setFocus(Qt::ShortcutFocusReason);
+    m_search->selectAll();
+}
+
+/// From the current node on, and round the end to the start; \a isNext leaves out the current one.
+void SiteTree::find(bool isNext)
+{
+    const QString wanted = m_search->text().trimmed();
+    if (wanted.isEmpty()) {
+        return;
+    }
+    const QModelIndexList found = m_model->match(
+        m_model->indexOf(SiteItem::server()), Qt::DisplayRole, wanted, -1,
+        Qt::MatchContains | Qt::MatchRecursive | Qt::MatchWrap);
+    if (found.isEmpty()) {
+        return;
+    }
+    const qsizetype current = found.indexOf(m_view->currentIndex());
+    const qsizetype chosen = current < 0 ? 0 : (current + (isNext ? 1 : 0)) % found.size();
+    select(m_model->itemAt(found.at(chosen)));
+}
+
+} // namespace gorizont

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/registry/sensorregistry.h"
+#include "ui/models/siteitem.h"
+
+#include <QWidget>
+
+class QLineEdit;
+class QTreeView;
+
+namespace gorizont {
+
+class SiteTreeModel;
+
+/// The panel on the left: the tree of the site with a field to find a node in it. GUI thread.
+class SiteTree : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SiteTree(const SensorRegistry &registry, QWidget *parent = nullptr);
+
+    SiteItem selected() const;
+    void select(SiteItem item);
+    void refresh();
+    void startSearch();
+
+Q_SIGNALS:
+    void selectionChanged(gorizont::SiteItem item);
+
+private:
+    void find(bool isNext);
+
+    SiteTreeModel *m_model;
+    QLineEdit *m_search;
+    QTreeView *m_view;
+};
+
+} // namespace gorizont

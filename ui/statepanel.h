@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/registry/sensorregistry.h"
+#include "ui/models/siteitem.h"
+
+#include <QTabWidget>
+
+namespace gorizont {
+
+class PortsPage;
+class PropertiesPage;
+class SensorsPage;
+
+/// The panel at the top right: readings and states of what is selected. A tab exists only while its element is selected
+/// (manual 000, sections 4.1 – 4.5). GUI thread.
+class StatePanel : public QTabWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StatePanel(const SensorRegistry &registry, QWidget *parent = nullptr);
+
+    void setItem(SiteItem item);
+
+    /// Draws the tab that is seen. \a hasReadings: values have changed since the last call.
+    void refresh(bool hasReadings);
+
+    void showPorts();
+    void showSensors();
+    void showWorstSensors();
+
+Q_SIGNALS:
+    void chosen(gorizont::SiteItem item);
+
+private:
+    const SensorRegistry &m_registry;
+    SiteItem m_item;
+    PortsPage *m_ports;
+    SensorsPage *m_sensors;
+    PropertiesPage *m_port;
+    PropertiesPage *m_sensor;
+};
+
+} // namespace gorizont

@@ -1,0 +1,63 @@
+#include "ui/trayicon.h"
+
+#include "ui/mainwindow.h"
+#include "ui/models/icons.h"
+#include "ui/models/statetext.h"
+
+#include <QMenu>
+#include <QTimer>
+
+namespace gorizont {
+
+namespace {
+
+constexpr std::chrono::seconds refreshPeriod(2);
+
+} // namespace
+
+TrayIcon::TrayIcon(MainWindow &window, const SensorRegistry &registry, QObject *parent)
+    : QObject(parent)
+    , m_window(window)
+    , m_registry(registry)
+    , m_icon(icons::tray(Health::Off))
+    , m_menu(std::make_unique<QMenu>())
+    , m_timer(new QTimer(this))
+{
+    m_menu->setObjectName(QStringLiteral("trayMenu"));
+    QAction *restore = m_menu->addAction(tr("&Restore"), &m_window, &MainWindow::raiseWindow);
+    restore->setObjectName(QStringLiteral("trayRestore"));
+    m_menu->setDefaultAction(restore);
+    m_menu->addSeparator();
+    QAction *exit = m_menu->addAction(tr("E&xit"), &m_window, &QWidget::close);
+    exit->setObjectName(QStringLiteral("trayExit"));
+    m_icon.setContextMenu(m_menu.get());
+    connect(&m_icon, &QSystemTrayIcon::activated, this, [this](QSystemTrayIcon::ActivationReason reason) {
+        if (reason == QSystemTrayIcon::Trigger) {
+            m_window.toggle();
+        }
+    });
+    connect(m_timer, &QTimer::timeout, this, &TrayIcon::refresh);
+    if (QSystemTrayIcon::isSystemTrayAvailable()) {
+        m_window.setHidesToTray(true);
+        m_timer->start(refreshPeriod);
+        m_icon.show();
+    }
+    refresh();
+}
+
+TrayIcon::~TrayIcon() = default;
+
+void TrayIcon::refresh()
+{
+    const Health worst = siteHealth(m_registry);
+    if (worst != m_shown) {
+        m_shown = worst;
+        m_icon.setIcon(icons::tray(worst));
+    }
+    const QString toolTip = m_window.windowTitle() + u'\n' + statetext::counts(countHealth(m_registry));
+    if (toolTip != m_icon.toolTip()) {
+        m_icon.setToolTip(toolTip);
+    }
+}
+
+} // namespace gorizont

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/registry/sensorregistry.h"
+#include "ui/models/health.h"
+
+#include <QObject>
+#include <QSystemTrayIcon>
+
+class QMenu;
+class QTimer;
+
+namespace gorizont {
+
+class MainWindow;
+
+/// The program in the tray: a click hides the window and brings it back; the icon shows the worst state of the site.
+/// Works on while the window is hidden, at a slow pace. GUI thread.
+class TrayIcon : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Shows the icon if the desktop has a tray, and tells the window that it may hide there.
+    TrayIcon(MainWindow &window, const SensorRegistry &registry, QObject *parent = nullptr);
+    ~TrayIcon() override;
+
+    QSystemTrayIcon &icon() { return m_icon; }
+
+    void refresh();
+
+private:
+    MainWindow &m_window;
+    const SensorRegistry &m_registry;
+    QSystemTrayIcon m_icon;
+    std::unique_ptr<QMenu> m_menu;
+    QTimer *m_timer;
+    Health m_shown = Health::Off;
+};
+
+} // namespace gorizont
