@@ -2,6 +2,7 @@
 
 #include "app/server/readingprinter.h"
 #include "core/history/historywriter.h"
+#include "core/modbus/modbusconfig.h"
 #include "core/modbus/modbusserver.h"
 
 #include <QDeadlineTimer>
@@ -94,6 +95,9 @@ void Application::makeModbus()
     connect(&m_registry, &SensorRegistry::readingsChanged, modbus, &ModbusServer::updateReadings, Qt::QueuedConnection);
     connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
     connect(modbus, &ModbusServer::journal, &m_journal, &Journal::append);
+    connect(modbus, &ModbusServer::stateChanged, this, [this](QModbusDevice::State state) {
+        Q_EMIT serverStatusChanged(modbusText(state));
+    });
     modbus->updateReadings(m_registry.readings());
     for (const LineStatus &status : m_registry.lineStatuses()) {
         modbus->updateLine(status);
@@ -135,6 +139,18 @@ void Application::tellComplaints()
             tr("Another copy of the program writes into %1: this copy does not save. Give it a folder of its own.")
                 .arg(QDir::toNativeSeparators(m_settings.dataFolder)));
     }
+}
+
+QString Application::modbusText(QModbusDevice::State state) const
+{
+    switch (state) {
+    case QModbusDevice::ConnectedState: return tr("Modbus TCP: port %1").arg(m_settings.config.modbusPort);
+    case QModbusDevice::ConnectingState:
+        return tr("Modbus TCP: port %1 cannot be used").arg(m_settings.config.modbusPort);
+    case QModbusDevice::UnconnectedState:
+    case QModbusDevice::ClosingState: break;
+    }
+    return tr("Modbus TCP: off");
 }
 
 bool Application::shutdown()

@@ -3,6 +3,7 @@
 #include "app/server/acquisition.h"
 #include "core/config/serverconfig.h"
 
+#include <QModbusDevice>
 #include <QObject>
 #include <QThread>
 
@@ -47,12 +48,15 @@ public:
 Q_SIGNALS:
     /// A record of `_data` for the measurements tab.
     void measurementWritten(const QString &line);
+    /// What the Modbus server does, for the status bar.
+    void serverStatusChanged(const QString &text);
 
 private:
     void makeHistory();
     void makeModbus();
     void makePrinter();
     void tellComplaints();
+    QString modbusText(QModbusDevice::State state) const;
     bool endThread(QThread &thread, const QDeadlineTimer &deadline);
 
     ApplicationSettings m_settings;

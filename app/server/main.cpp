@@ -1,0 +1,195 @@
+#include "app/server/application.h"
+#include "app/server/demosite.h"
+#include "app/server/singleinstance.h"
+#include "app/server/startup.h"
+#include "app/unixsignals.h"
+#include "translations/translation.h"
+#include "ui/firstrundialog.h"
+#include "ui/mainwindow.h"
+#include "ui/trayicon.h"
+
+#include <QApplication>
+#include <QMessageBox>
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace gorizont;
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("gorizont::Main", text);
+}
+
+/// Whether \a arguments ask for something that needs no window; known before anything is parsed.
+bool needsNoWindow(int argc, char **argv)
+{
+    static const QByteArrayList words{"--headless", "--help", "--version"};
+    for (int i = 1; i < argc; ++i) {
+        if (words.contains(QByteArray(argv[i]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Without a display Qt would end the program with an abort.
+bool hasDisplay()
+{
+#ifdef Q_OS_LINUX
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY")
+        || qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
+int fail(const QString &sentence, const Options &options, int code = ExitFailed)
+{
+    std::fprintf(stderr, "gorizont-server: %s\n", qPrintable(sentence));
+    if (!options.isHeadless) {
+        QMessageBox::critical(nullptr, QStringLiteral("Gorizont Server"), sentence);
+    }
+    return code;
+}
+
+int sayLastWords(const LastWords &words)
+{
+    std::FILE *stream = words.exitCode == ExitGood ? stdout : stderr;
+    std::fprintf(stream, "%s\n", qPrintable(words.text.trimmed()));
+    return words.exitCode;
+}
+
+/// Asks what to do without an ini. False: the user wants the program to end.
+bool chooseSite(Options &options, QString *configFile)
+{
+    FirstRunDialog dialog({QCoreApplication::applicationDirPath()});
+    dialog.exec();
+    if (dialog.choice() == FirstRunDialog::Choice::ChooseFile) {
+        options.configFile = FirstRunDialog::askForFile();
+    }
+    options.isDemo = dialog.choice() == FirstRunDialog::Choice::StartDemo;
+    *configFile = findConfigFile(options);
+    return options.isDemo || !options.configFile.isEmpty();
+}
+
+/// The journal on stderr, where a service manager looks for it.
+void echoJournal(const Journal &journal)
+{
+    QObject::connect(&journal, &Journal::added, &journal, [](const JournalEntry &entry) {
+        std::fprintf(stderr, "%s\n", qPrintable(entry.text));
+    });
+}
+
+int runHeadless(Application &application, UnixSignals &signals_)
+{
+    echoJournal(application.journal());
+    QObject::connect(&signals_, &UnixSignals::terminated, qApp, &QCoreApplication::quit);
+    application.start();
+    return QCoreApplication::exec();
+}
+
+int runWindow(Application &application, const Site &site, SingleInstance &instance, UnixSignals &signals_)
+{
+    QApplication::setQuitOnLastWindowClosed(false);
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gorizont.svg")));
+    MainWindow window(application.registry(), application.journal(), site.reading.config, site.reading.complaints);
+    const TrayIcon tray(window, application.registry());
+    QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
+    QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
+    QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
+    QObject::connect(&window, &MainWindow::exitRequested, qApp, &QCoreApplication::quit);
+    QObject::connect(&signals_, &UnixSignals::terminated, qApp, &QCoreApplication::quit);
+    application.start();
+    window.showAtStart();
+    return QApplication::exec();
+}
+
+/// The second copy gives way: it shows the window of the first one.
+int giveWay(const SingleInstance &instance, const Site &site, const Options &options)
+{
+    if (!options.isHeadless && instance.raiseOther()) {
+        return ExitSecondCopy;
+    }
+    return fail(
+        tr(QT_TRANSLATE_NOOP(
+               "gorizont::Main",
+               "Gorizont Server already works with the folder %1. Close that copy, or give this one a folder of its "
+               "own "
+               "with --data."))
+            .arg(site.dataFolder),
+        options, ExitSecondCopy);
+}
+
+int runSite(const Options &options, Site site)
+{
+    const ServerConfig &config = site.reading.config;
+    SingleInstance instance(site.dataFolder);
+    const bool isFirst = instance.acquire();
+    if (!isFirst && !config.allowsCopy) {
+        return giveWay(instance, site, options);
+    }
+    std::unique_ptr<DemoSite> demo;
+    if (options.isDemo) {
+        demo = std::make_unique<DemoSite>(site.reading.config.lines);
+    }
+    UnixSignals signals_;
+    Application application(
+        {config, site.reading.complaints, site.dataFolder, isFirst, {options.portsFolder}, options.printsReadings});
+    const int code =
+        options.isHeadless ? runHeadless(application, signals_) : runWindow(application, site, instance, signals_);
+    if (!application.shutdown()) {
+        // PExit is over and a thread still hangs in the system; the files are whole at any moment.
+        std::_Exit(ExitFailed);
+    }
+    return code;
+}
+
+int run(Options options)
+{
+    QString configFile = findConfigFile(options);
+    if (configFile.isEmpty()) {
+        if (options.isHeadless) {
+            return fail(
+                tr(QT_TRANSLATE_NOOP(
+                    "gorizont::Main",
+                    "There is no GorizontServer.ini. Name one with --config, or look at the program "
+                    "with --demo.")),
+                options);
+        }
+        if (!chooseSite(options, &configFile)) {
+            return ExitGood;
+        }
+    }
+    QString problem;
+    auto site = loadSite(options, configFile, &problem);
+    if (site && options.language.isEmpty() && !site->reading.config.language.isEmpty()) {
+        installTranslation(site->reading.config.language);
+        site = loadSite(options, configFile, &problem); // again, so that its complaints are in that language
+    }
+    return site ? runSite(options, *std::move(site)) : fail(problem, options);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QCoreApplication::setApplicationName(QStringLiteral("gorizont-server"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(GORIZONT_VERSION));
+    const bool isWindowless = needsNoWindow(argc, argv);
+    if (!isWindowless && !hasDisplay()) {
+        std::fprintf(stderr, "gorizont-server: there is no display; start it with --headless\n");
+        return ExitFailed;
+    }
+    const std::unique_ptr<QCoreApplication> application(
+        isWindowless ? new QCoreApplication(argc, argv) : new QApplication(argc, argv));
+    const QStringList arguments = QCoreApplication::arguments();
+    installTranslation(languageArgument(arguments));
+    const auto parsed = parseOptions(arguments);
+    if (const auto *words = std::get_if<LastWords>(&parsed)) {
+        return sayLastWords(*words);
+    }
+    return run(std::get<Options>(parsed));
+}
