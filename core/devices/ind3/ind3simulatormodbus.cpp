@@ -14,6 +14,8 @@ using namespace std::chrono_literals;
 /// is no real-time system), so it is more than the 3.5 characters of the standard, and less than any answer is waited for.
 constexpr BuildingMotion::Time forgetAfter = 50ms;
 
+constexpr qsizetype longestFrame = 256; ///< of the standard; what does not end by then is noise
+
 constexpr int registerCount = 39;
 constexpr int baudRegister = 20;
 constexpr int protocolRegister = 21;
@@ -198,7 +200,7 @@ QByteArray PortModbus::hear(char heard, SimulatedSensor &sensor, BuildingMotion:
         m_buffer.clear();
     }
     m_lastByteAt = now;
-    m_buffer.append(heard);
+    m_buffer = m_buffer.right(longestFrame - 1) + heard;
     for (qsizetype length = requestLength(m_buffer); length > 0 && length <= m_buffer.size();
          length = requestLength(m_buffer)) {
         const QByteArray request = m_buffer.left(length);
