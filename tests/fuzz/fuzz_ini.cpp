@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, std::size_t size)
         std::abort();
     }
     file.setValue(QStringLiteral("Common"), QStringLiteral("Name"), QStringLiteral("x"));
-    const auto entry = gorizont::IniFile::fromBytes(file.toBytes()).find(QStringLiteral("common"), QStringLiteral("name"));
+    const auto entry =
+        gorizont::IniFile::fromBytes(file.toBytes()).find(QStringLiteral("common"), QStringLiteral("name"));
     if (!entry || entry->value != QStringLiteral("x")) {
         std::abort();
     }
