@@ -15,6 +15,8 @@ using namespace Qt::Literals::StringLiterals;
 
 namespace {
 
+constexpr int mostSensors = 255; ///< on one line: as many as there are addresses
+
 /// What the section of a port holds for one index.
 struct SensorKeys
 {
@@ -122,6 +124,22 @@ SensorConfig readSensor(SectionReader &keys, int port, int index, const QHash<QS
     return sensor;
 }
 
+int announcedSensors(SectionReader &section)
+{
+    int announced = 0;
+    section.take(u"NumOfSensors"_s, announced, {0});
+    if (announced > mostSensors) {
+        section.complain(
+            u"NumOfSensors"_s,
+            QCoreApplication::translate("ServerConfig", "NumOfSensors is %1, but at most %2 are possible.")
+                .arg(announced)
+                .arg(mostSensors),
+            QCoreApplication::translate("ServerConfig", "Only the first %1 are used.").arg(mostSensors));
+        section.replace(u"NumOfSensors"_s);
+    }
+    return qMin(announced, mostSensors);
+}
+
 /// The first few indices up to \a announced that \a listed lacks.
 QString missingIndices(const std::map<int, SensorKeys> &listed, int announced)
 {
@@ -165,8 +183,7 @@ void complainOfNumber(SectionReader &section, int announced, const std::map<int,
 
 QList<SensorConfig> readSensors(const IniFile &file, SectionReader &section, int port, Findings &findings)
 {
-    int announced = 0;
-    section.take(u"NumOfSensors"_s, announced, {0});
+    const int announced = announcedSensors(section);
     const std::map<int, SensorKeys> listed = keysByIndex(file, section.section());
     QList<SensorConfig> sensors;
     for (const auto &[index, found] : listed) {

@@ -44,6 +44,8 @@ QChar foldCharacter(QChar c)
     case u'К': return u'K';
     case u'У': return u'U';
     case u'С': return u'S';
+    case u'Т': return u'T';
+    case u'Р': return u'P';
     case u'‐':
     case u'‑':
     case u'‒':

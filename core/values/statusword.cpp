@@ -100,7 +100,7 @@ quint16 sensorWord(const SensorConfig &sensor, const SensorSituation &situation,
     case LineState::OpenFailed:
     case LineState::Lost: return word(StatusCode::PortError, allInvalid);
     case LineState::Opening:
-    case LineState::Service: return word(StatusCode::Good, allInvalid);
+    case LineState::Service:
     case LineState::Open: break;
     }
     if (situation.crcErrorsInRow >= rules.crcErrorLimit) {
@@ -109,7 +109,7 @@ quint16 sensorWord(const SensorConfig &sensor, const SensorSituation &situation,
     if (situation.readErrorsInRow >= rules.readErrorLimit) {
         return word(StatusCode::NoAnswer, allInvalid);
     }
-    if (!situation.hasAnswered) {
+    if (!situation.hasAnswered || situation.line != LineState::Open) {
         return word(StatusCode::Good, allInvalid);
     }
     quint16 flags = validityFlags(sensor, situation) | thermostatFlags(sensor, situation);
