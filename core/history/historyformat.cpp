@@ -24,7 +24,8 @@ QByteArray field(double value, int decimals)
     const auto end =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
     QByteArray text(buffer.data(), end.ptr - buffer.data());
-    const bool isZero = std::all_of(text.cbegin(), text.cend(), [](char c) { return c == '-' || c == '.' || c == '0'; });
+    const bool isZero =
+        std::all_of(text.cbegin(), text.cend(), [](char c) { return c == '-' || c == '.' || c == '0'; });
     if (isZero && text.startsWith('-')) {
         text.remove(0, 1);
     }

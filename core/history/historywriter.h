@@ -1,32 +1,16 @@
 #pragma once
 
 #include "core/history/cadence.h"
-#include "core/history/historyformat.h"
+#include "core/history/historyconfig.h"
+#include "core/history/historyfiles.h"
 #include "core/history/historyinbox.h"
-#include "core/history/logfile.h"
-#include "core/history/samplefile.h"
-#include "core/history/writehealth.h"
-#include "core/values/lineconfig.h"
 
 #include <QObject>
 #include <QTimer>
 
 #include <functional>
-#include <map>
 
 namespace gorizont {
-
-struct HistoryConfig
-{
-    QString folder; ///< `…/History`; created when needed
-    std::chrono::milliseconds saveInterval{1000}; ///< TmSave
-    int ringPackets = 8192; ///< SrsBufSize
-    int packetsToSave = 1; ///< SrsBufToSave
-    bool savesFiles = true; ///< CanSave; false: lines are made and shown, never written
-    QList<LineConfig> lines;
-    QTimeZone zone = QTimeZone::systemTimeZone();
-    std::chrono::milliseconds retryInterval{3000}; ///< after a failure the disk is asked this often
-};
 
 /// Writes what the sensors say into the text and binary files (manual 000, sections 6 and 7). Lives in the storage
 /// thread. The four slots that take values may be called from any thread, and should be connected with
@@ -66,30 +50,19 @@ private:
     void tick();
     void armTick();
     void writeRecords();
-    void writeRecord(HistoryStream stream, RecordFile &file, const QString &name, const QByteArray &record);
-    void saveBlock(const SampleBlock &block);
-    void writeLog();
     void noteClockStep(SteadyTime now);
     void noteDropped(const HistoryInbox::Contents &contents);
-    void noteRepaired(const QString &name);
-    void noteOutcome(HistoryStream stream, bool isWritten, const QString &error);
     void note(JournalKind kind, const QString &text);
-    QString pathOf(const QString &name) const { return m_config.folder + u'/' + name; }
+    QDateTime wallTime() const { return localTime(m_clock(), m_config.zone); }
 
     const HistoryConfig m_config;
     const Clock m_clock;
     HistoryInbox m_inbox; ///< the only member that other threads touch
+    HistoryFiles m_files;
     QList<SensorColumns> m_sensors; ///< ascending N
     QHash<int, qsizetype> m_indexOfNumber;
     QList<LineStatus> m_lines;
-    QList<JournalEntry> m_entries; ///< not yet in the log file
     bool m_hasAccelerometers = false;
-
-    RecordFile m_data;
-    RecordFile m_acceleration;
-    LogFile m_log;
-    std::map<int, SampleFile> m_samples; ///< by N
-    WriteHealth m_health;
 
     Cadence m_cadence;
     ClockWatch m_clockWatch;
