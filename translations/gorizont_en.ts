@@ -5,9 +5,9 @@
     <name>gorizont::AttentionBanner</name>
     <message numerus="yes">
         <source>%n sensor(s) need attention</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n sensor needs attention</numerusform>
+            <numerusform>%n sensors need attention</numerusform>
         </translation>
     </message>
 </context>
@@ -15,9 +15,9 @@
     <name>gorizont::ComplaintsDialog</name>
     <message numerus="yes">
         <source>%n entry(ies) of the configuration file cannot be used as they are. The program works without them.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n entry of the configuration file cannot be used as it is. The program works without it.</numerusform>
+            <numerusform>%n entries of the configuration file cannot be used as they are. The program works without them.</numerusform>
         </translation>
     </message>
 </context>
