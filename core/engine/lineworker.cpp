@@ -286,7 +286,7 @@ void LineWorker::setState(LineState state)
     }
     m_status.pollingAt = state == LineState::Open ? std::optional(now) : std::nullopt;
     if (isChanged) {
-        qCInfo(logLine) << m_settings.line.title() << "state" << static_cast<int>(state);
+        qCDebug(logLine) << m_settings.line.title() << "state" << static_cast<int>(state);
         for (const auto &sensor : m_sensors) {
             if (state == LineState::Open) {
                 sensor->restart();

@@ -192,6 +192,13 @@ qsizetype requestLength(const QByteArray &buffer)
     return crcOf(buffer) == 0 ? buffer.size() : 0;
 }
 
+/// On a line that is shared with other protocols nothing separates their requests from ours but the address.
+void forgetForeign(QByteArray &buffer, int address)
+{
+    const qsizetype start = buffer.indexOf(static_cast<char>(address));
+    buffer.remove(0, start < 0 ? buffer.size() : start);
+}
+
 } // namespace
 
 QByteArray PortModbus::hear(char heard, SimulatedSensor &sensor, BuildingMotion::Time now)
@@ -201,15 +208,13 @@ QByteArray PortModbus::hear(char heard, SimulatedSensor &sensor, BuildingMotion:
     }
     m_lastByteAt = now;
     m_buffer = m_buffer.right(longestFrame - 1) + heard;
+    forgetForeign(m_buffer, sensor.address);
     for (qsizetype length = requestLength(m_buffer); length > 0 && length <= m_buffer.size();
          length = requestLength(m_buffer)) {
         const QByteArray request = m_buffer.left(length);
+        m_buffer.remove(0, crcOf(request) == 0 ? length : 1);
+        forgetForeign(m_buffer, sensor.address);
         if (crcOf(request) != 0) {
-            m_buffer.remove(0, 1);
-            continue;
-        }
-        m_buffer.remove(0, length);
-        if (byte(request, 0) != sensor.address) {
             continue;
         }
         switch (byte(request, 1)) {
