@@ -102,7 +102,7 @@ QByteArray SimulatedRing::packet(int cell, Time now, const BuildingMotion &motio
         return bytes;
     }
     const qint64 first = number * samplesInPacket;
-    for (int i = 0; i < samplesInPacket; ++i) {
+    for (qsizetype i = 0; i < samplesInPacket; ++i) {
         const Time at = std::max(timeOf(first + i), Time(0));
         put<qint16>(bytes, 2 * i, rawOf(motion.accelerationX(at)));
         put<qint16>(bytes, 64 + 2 * i, rawOf(motion.accelerationY(at)));

@@ -168,7 +168,7 @@ void TstAnd3Together::lateStartReadsWhatIsThere()
     site.line.wait(1h); // 1125 packets
     site.run(30s);
     QVERIFY(site.blocks.size() >= 119 + 9);
-    compareSamples(site.blocks, (1125 - 119) * 32);
+    compareSamples(site.blocks, qint64(1125 - 119) * 32);
     QVERIFY(!site.conditions.testFlag(Condition::RingOverrun));
 }
 
@@ -200,7 +200,7 @@ void TstAnd3Together::longBreakIsAnOverrun()
     QVERIFY(!site.last.conditions.testFlag(Condition::RingOverrun));
     QVERIFY(!site.blocks.at(before).followsPrevious);
     QVERIFY(site.blocks.at(before + 1).followsPrevious);
-    compareSamples(site.blocks.mid(before), (660 * 10 / 32 - 1) * 32);
+    compareSamples(site.blocks.mid(before), qint64(660 * 10 / 32 - 1) * 32);
 }
 
 void TstAnd3Together::faultOverrun()
