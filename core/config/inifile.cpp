@@ -150,9 +150,10 @@ IniFile::Place IniFile::enterSection(const QString &name, int line)
 void IniFile::addEntry(const Place &place, const Entry &entry)
 {
     Section &section = m_sections[place.section];
-    const QString folded = foldedKey(entry.key);
-    if (!section.entryOfKey.contains(folded)) {
-        section.entryOfKey.insert(folded, m_entries.size());
+    const qsizetype known = section.entryOfKey.size();
+    qsizetype &index = section.entryOfKey[foldedKey(entry.key)];
+    if (section.entryOfKey.size() > known) {
+        index = m_entries.size();
     } else if (!place.isRepeated) {
         m_repetitions.append(entry);
     }
