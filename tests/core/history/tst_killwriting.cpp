@@ -161,7 +161,7 @@ void TestKillWriting::checkSamples(int round, qsizetype blocks)
         const QByteArray x = readAll(folder.filePath(name));
         const QByteArray y = readAll(folder.filePath(name.chopped(5) + QStringLiteral("Y.wrd")));
         QCOMPARE(x.size(), y.size());
-        QVERIFY(x.size() <= packetsPerPair * samplesPerBlock * 2);
+        QVERIFY(x.size() <= qsizetype{packetsPerPair} * samplesPerBlock * 2);
         axes[0] += x;
         axes[1] += y;
     }
