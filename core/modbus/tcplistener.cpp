@@ -1,6 +1,9 @@
 #include "core/modbus/tcplistener.h"
 
-#include <QTcpSocket>
+#include <cerrno>
+#include <memory>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace gorizont {
 
@@ -9,7 +12,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int backlog = 512; ///< connections the system holds before they are accepted; the default of 50 drops some
+constexpr int acceptsPerTurn = 64; ///< then those who are connected have their turn
 constexpr auto acceptCalm = 60s; ///< without a failed accept until the trouble counts as over
+
+/// Reasons to wait; everything else is about the one connection that was to be accepted (accept(2)).
+bool isOutOfMeans(int error)
+{
+    return error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM;
+}
 
 } // namespace
 
@@ -21,21 +31,14 @@ TcpListener::TcpListener(std::chrono::milliseconds retry, std::chrono::milliseco
     , m_acceptCalm(this)
 {
     m_server.setListenBacklogSize(backlog);
-    m_server.setMaxPendingConnections(backlog);
     m_retry.setInterval(retry);
     m_acceptPause.setInterval(acceptPause);
     m_acceptPause.setSingleShot(true);
     m_acceptCalm.setInterval(acceptCalm);
     m_acceptCalm.setSingleShot(true);
     connect(&m_retry, &QTimer::timeout, this, &TcpListener::tryToListen);
-    connect(&m_acceptPause, &QTimer::timeout, &m_server, &QTcpServer::resumeAccepting);
+    connect(&m_acceptPause, &QTimer::timeout, this, &TcpListener::resumeAccepting);
     connect(&m_acceptCalm, &QTimer::timeout, this, &TcpListener::acceptsAgain);
-    connect(&m_server, &QTcpServer::acceptError, this, &TcpListener::onAcceptError);
-    connect(&m_server, &QTcpServer::newConnection, this, [this] {
-        while (QTcpSocket *socket = m_server.nextPendingConnection()) {
-            Q_EMIT connected(socket);
-        }
-    });
 }
 
 void TcpListener::start(const QHostAddress &address, quint16 port)
@@ -51,6 +54,11 @@ void TcpListener::stop()
     m_retry.stop();
     m_acceptPause.stop();
     m_acceptCalm.stop();
+    if (m_arrivals != nullptr) {
+        m_arrivals->setEnabled(false);
+        m_arrivals->deleteLater(); // this may be its own slot
+        m_arrivals = nullptr;
+    }
     m_server.close();
     m_lastError.reset();
 }
@@ -60,6 +68,7 @@ void TcpListener::tryToListen()
     if (m_server.listen(m_address, m_port)) {
         m_retry.stop();
         m_lastError.reset();
+        watchArrivals();
         Q_EMIT listening();
         return;
     }
@@ -70,13 +79,49 @@ void TcpListener::tryToListen()
     }
 }
 
-void TcpListener::onAcceptError()
+void TcpListener::watchArrivals()
+{
+    m_server.pauseAccepting();
+    m_arrivals = new QSocketNotifier(m_server.socketDescriptor(), QSocketNotifier::Read, this);
+    connect(m_arrivals, &QSocketNotifier::activated, this, &TcpListener::acceptSome);
+}
+
+void TcpListener::acceptSome()
+{
+    for (int i = 0; i < acceptsPerTurn && isListening(); ++i) {
+        const int descriptor =
+            ::accept4(static_cast<int>(m_server.socketDescriptor()), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+        if (descriptor < 0 && isOutOfMeans(errno)) {
+            pauseAccepting(qt_error_string(errno));
+            return;
+        }
+        if (descriptor < 0) {
+            return; // nobody more, or somebody who has already gone
+        }
+        auto socket = std::make_unique<QTcpSocket>();
+        if (socket->setSocketDescriptor(descriptor)) {
+            Q_EMIT connected(socket.release());
+        } else {
+            ::close(descriptor);
+        }
+    }
+}
+
+void TcpListener::pauseAccepting(const QString &reason)
 {
     const bool isNew = !m_acceptCalm.isActive();
+    m_arrivals->setEnabled(false);
     m_acceptPause.start();
     m_acceptCalm.start();
     if (isNew) {
-        Q_EMIT acceptFailed(m_server.errorString());
+        Q_EMIT acceptFailed(reason);
+    }
+}
+
+void TcpListener::resumeAccepting()
+{
+    if (m_arrivals != nullptr) {
+        m_arrivals->setEnabled(true);
     }
 }
 

@@ -2,7 +2,9 @@
 
 #include <QHostAddress>
 #include <QObject>
+#include <QSocketNotifier>
 #include <QTcpServer>
+#include <QTcpSocket>
 #include <QTimer>
 
 #include <chrono>
@@ -11,7 +13,10 @@
 namespace gorizont {
 
 /// Keeps a TCP port open whatever happens: goes on trying while the port cannot be had, and while connections cannot be
-/// accepted for want of descriptors, where a bare QTcpServer stays deaf for good. Servers thread.
+/// accepted for want of descriptors. Servers thread.
+/// QTcpServer listens, and accepting is done here: the engine of Qt 6.4 remembers its first error for ever, so that a
+/// QTcpServer out of descriptors takes EMFILE for "nothing to accept" and spins without acceptError(), or the reverse
+/// and goes deaf.
 class TcpListener : public QObject
 {
     Q_OBJECT
@@ -38,9 +43,13 @@ Q_SIGNALS:
 
 private:
     void tryToListen();
-    void onAcceptError();
+    void acceptSome();
+    void watchArrivals();
+    void pauseAccepting(const QString &reason);
+    void resumeAccepting();
 
     QTcpServer m_server;
+    QSocketNotifier *m_arrivals = nullptr; ///< while listening; a child
     QHostAddress m_address;
     quint16 m_port = 0;
     QTimer m_retry;
