@@ -117,7 +117,8 @@ QString sensorTitle(const SensorConfig &sensor)
 {
     const QString model = sensor.model.isEmpty() ? sensor.name : modelInRussian(sensor.model);
     const QString place = sensor.place.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(sensor.place);
-    return QStringLiteral("%1 %2%3 [%4]").arg(QString::number(sensor.number), model, place).arg(sensor.address);
+    return QStringLiteral("%1 %2%3 [%4]")
+        .arg(QString::number(sensor.number), model, place, QString::number(sensor.address));
 }
 
 QString counts(const HealthCounts &counts)
