@@ -85,9 +85,7 @@ private Q_SLOTS:
         registry.update({test::sampleReading(now), test::tiltReading(2, 0, 0, now)});
         tray.refresh();
         QCOMPARE(tray.icon().icon().cacheKey(), icons::tray(Health::Error).cacheKey());
-        QCOMPARE(
-            tray.icon().toolTip(),
-            QStringLiteral("Gorizont Server (тест)\nSensors good: 2, starting: 1, off: 1"));
+        QCOMPARE(tray.icon().toolTip(), QStringLiteral("Gorizont Server (тест)\nSensors good: 2, starting: 1, off: 1"));
     }
 
     /// Every state has a shape of its own: the outlines differ, not only the colours.

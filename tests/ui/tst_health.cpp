@@ -19,7 +19,8 @@ private Q_SLOTS:
         QTest::addColumn<bool>("hasAnswered");
         QTest::addColumn<Health>("health");
         QTest::addColumn<QString>("text");
-        const auto row = [](const char *name, int status, LineState line, bool answered, Health health, const char *text) {
+        const auto row = [](const char *name, int status, LineState line, bool answered, Health health,
+                            const char *text) {
             QTest::newRow(name) << status << line << answered << health << QString::fromUtf8(text);
         };
         row("good", 0x0000, LineState::Open, true, Health::Good, "Answering");
@@ -33,8 +34,7 @@ private Q_SLOTS:
         row("fan", 0xA014, LineState::Open, true, Health::Error, "The fan does not work");
         row("restarted", 0x0720, LineState::Open, true, Health::Warning,
             "Answering: restarted, tilt is not ready, temperature is not ready, acceleration is not ready");
-        row("heating", 0x0014, LineState::Open, true, Health::Warning,
-            "Answering: the thermostat has not settled");
+        row("heating", 0x0014, LineState::Open, true, Health::Warning, "Answering: the thermostat has not settled");
         row("overrun", 0x0180, LineState::Open, true, Health::Warning,
             "Answering: samples were lost, acceleration is not ready");
         row("legacy bit of restart", 0x0020, LineState::Open, true, Health::Good, "Answering");

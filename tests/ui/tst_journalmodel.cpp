@@ -78,8 +78,7 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), static_cast<int>(Journal::capacity));
         QCOMPARE(filter.rowCount(), static_cast<int>(Journal::capacity));
         QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("18:33:03 07.02.18   3"));
-        QCOMPARE(
-            filter.index(filter.rowCount() - 1, 0).data().toString(), QStringLiteral("18:33:03 07.02.18   10002"));
+        QCOMPARE(filter.index(filter.rowCount() - 1, 0).data().toString(), QStringLiteral("18:33:03 07.02.18   10002"));
     }
 };
 

@@ -255,7 +255,8 @@ private Q_SLOTS:
 
     void complaintsAreShownOnce()
     {
-        open({Complaint{QStringLiteral("Timers"), QStringLiteral("TmRun"), 3, QStringLiteral("bad."), QStringLiteral("ok.")}});
+        open({Complaint{
+            QStringLiteral("Timers"), QStringLiteral("TmRun"), 3, QStringLiteral("bad."), QStringLiteral("ok.")}});
         QTRY_VERIFY(m_window->findChild<QDialog *>(QStringLiteral("complaintsDialog")));
         QPointer<QDialog> dialog = m_window->findChild<QDialog *>(QStringLiteral("complaintsDialog"));
         QVERIFY(dialog->isVisible() && !dialog->isModal());

@@ -84,8 +84,8 @@ private Q_SLOTS:
     void sensorWithoutAnswer()
     {
         const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
-        const Properties rows = sensorProperties(
-            registry.sensors().front(), LineState::Opening, std::chrono::steady_clock::now());
+        const Properties rows =
+            sensorProperties(registry.sensors().front(), LineState::Opening, std::chrono::steady_clock::now());
         QCOMPARE(rows.size(), 11);
         for (int row = 2; row <= 8; ++row) {
             QCOMPARE(rows.at(row).value, QStringLiteral("—"));
@@ -139,8 +139,9 @@ private Q_SLOTS:
         }
         QCOMPARE(
             marked,
-            QStringList({QStringLiteral("SCRCError the file gives “-5”, which cannot be used"),
-                         QStringLiteral("Address on the line the file gives “300”, which cannot be used")}));
+            QStringList(
+                {QStringLiteral("SCRCError the file gives “-5”, which cannot be used"),
+                 QStringLiteral("Address on the line the file gives “300”, which cannot be used")}));
     }
 
     void modelAnnouncesOnlyWhatChanged()

@@ -66,7 +66,8 @@ private Q_SLOTS:
         const SteadyTime now = std::chrono::steady_clock::now();
         m_registry->updateLine(test::openLine(1, now));
         m_registry->updateLine(test::openLine(2, now));
-        m_registry->update({test::sampleReading(now), test::tiltReading(2, 0, 0, now), test::tiltReading(3, 0, 0, now)});
+        m_registry->update(
+            {test::sampleReading(now), test::tiltReading(2, 0, 0, now), test::tiltReading(3, 0, 0, now)});
         m_model->refresh();
         QCOMPARE(m_model->shownHealth(SiteItem::server()), Health::Good);
         QCOMPARE(m_model->shownHealth(SiteItem::sensor(3)), Health::Off);

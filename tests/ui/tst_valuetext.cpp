@@ -34,8 +34,7 @@ private Q_SLOTS:
         QCOMPARE(
             valuetext::acceleration(statistics, RingProgress{179, 179}, 179),
             QStringLiteral("7.67 270.0 (2.19|0.00 2.19) 179:179 (5728) 179"));
-        QCOMPARE(
-            valuetext::acceleration(std::nullopt, RingProgress{10, 4}, 0), QStringLiteral("— 10:4 (128) 0"));
+        QCOMPARE(valuetext::acceleration(std::nullopt, RingProgress{10, 4}, 0), QStringLiteral("— 10:4 (128) 0"));
         QCOMPARE(valuetext::acceleration(std::nullopt, std::nullopt, 0), QStringLiteral("—"));
     }
 
@@ -60,8 +59,7 @@ private Q_SLOTS:
 
     void words()
     {
-        QCOMPARE(
-            valuetext::words(0x240F, 0xCC00), QStringLiteral("0010 0100 0000 1111 : 1100 1100 0000 0000"));
+        QCOMPARE(valuetext::words(0x240F, 0xCC00), QStringLiteral("0010 0100 0000 1111 : 1100 1100 0000 0000"));
         QCOMPARE(valuetext::words(std::nullopt, std::nullopt), QStringLiteral("—"));
     }
 
