@@ -29,8 +29,7 @@ bool installTranslation(const QString &language)
     const QString chosen = language.isEmpty() ? QStringLiteral("ru") : language.toLower();
     const QString qtFolder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
     replaceTranslator(QStringLiteral("qtTranslator"), QStringLiteral("%1/qtbase_%2.qm").arg(qtFolder, chosen));
-    return replaceTranslator(
-        QStringLiteral("gorizontTranslator"), QStringLiteral(":/i18n/gorizont_%1.qm").arg(chosen));
+    return replaceTranslator(QStringLiteral("gorizontTranslator"), QStringLiteral(":/i18n/gorizont_%1.qm").arg(chosen));
 }
 
 } // namespace gorizont

@@ -36,9 +36,7 @@ ComplaintsDialog::ComplaintsDialog(const QList<Complaint> &complaints, QWidget *
     QPushButton *close = buttons->addButton(tr("Close"), QDialogButtonBox::AcceptRole);
     close->setObjectName(QStringLiteral("complaintsClose"));
     close->setDefault(true);
-    connect(copy, &QPushButton::clicked, this, [lines] {
-        QGuiApplication::clipboard()->setText(lines.join(u'\n'));
-    });
+    connect(copy, &QPushButton::clicked, this, [lines] { QGuiApplication::clipboard()->setText(lines.join(u'\n')); });
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(heading);

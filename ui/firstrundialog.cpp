@@ -37,8 +37,7 @@ FirstRunDialog::FirstRunDialog(const QStringList &expected, QWidget *parent)
     setMinimumWidth(520);
 }
 
-void FirstRunDialog::addChoice(
-    Choice choice, const QString &title, const QString &meaning, const QString &objectName)
+void FirstRunDialog::addChoice(Choice choice, const QString &title, const QString &meaning, const QString &objectName)
 {
     auto *button = new QCommandLinkButton(title, meaning, this);
     button->setObjectName(objectName);

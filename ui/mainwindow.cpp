@@ -58,6 +58,7 @@ MainWindow::MainWindow(
         m_state->showWorstSensors();
     });
     select(SiteItem::server());
+    m_tree->setFocus();
 }
 
 MainWindow::~MainWindow() = default;

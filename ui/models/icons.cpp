@@ -13,6 +13,7 @@ namespace {
 
 constexpr int side = 16; ///< of one symbol, device-independent pixels
 constexpr int gap = 5; ///< between the two symbols of a tree icon
+constexpr int treeHeight = 20; ///< of a tree icon, which leaves room between rows
 constexpr std::array<double, 5> scales{1, 1.25, 1.5, 2, 3};
 
 QString stateFile(Health health)
@@ -47,23 +48,34 @@ struct Part
 {
     QString file;
     QRectF place; ///< within the icon, device-independent pixels
+    bool isWhiteWhenSelected = false; ///< a symbol in the colours of lines would drown in the colour of the selection
 };
+
+QPixmap drawPixmap(const QSize &size, double scale, const QList<Part> &parts, QIcon::Mode mode)
+{
+    QPixmap pixmap(size * scale);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Part &part : parts) {
+        const QRectF place(part.place.topLeft() * scale, part.place.size() * scale);
+        QSvgRenderer(part.file).render(&painter, place);
+        if (mode == QIcon::Selected && part.isWhiteWhenSelected) {
+            painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);
+            painter.fillRect(place, Qt::white);
+            painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+        }
+    }
+    return pixmap;
+}
 
 /// Draws the parts at every scale that screens have, so that no icon is ever a blown-up small one.
 QIcon draw(const QSize &size, const QList<Part> &parts)
 {
     QIcon icon;
     for (const double scale : scales) {
-        QPixmap pixmap(size * scale);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        for (const Part &part : parts) {
-            QSvgRenderer(part.file).render(&painter, QRectF(part.place.topLeft() * scale, part.place.size() * scale));
-        }
-        painter.end();
-        icon.addPixmap(pixmap);
-        icon.addPixmap(pixmap, QIcon::Selected); // a selected row keeps the colours that mean something
+        icon.addPixmap(drawPixmap(size, scale, parts, QIcon::Normal), QIcon::Normal);
+        icon.addPixmap(drawPixmap(size, scale, parts, QIcon::Selected), QIcon::Selected);
     }
     return icon;
 }
@@ -97,7 +109,7 @@ Node nodeOf(SensorType type)
 
 QSize treeSize()
 {
-    return {2 * side + gap, side};
+    return {2 * side + gap, treeHeight};
 }
 
 QIcon state(Health health)
@@ -109,11 +121,12 @@ QIcon state(Health health)
 
 QIcon tree(Node node, Health health)
 {
+    constexpr int top = (treeHeight - side) / 2;
     return cached(keyOf(static_cast<int>(node), health), [node, health] {
         return draw(
             treeSize(),
-            {{stateFile(health), QRectF(0.5, 0.5, side - 1, side - 1)},
-             {nodeFile(node), QRectF(side + gap, 0, side, side)}});
+            {{stateFile(health), QRectF(0.5, top + 0.5, side - 1, side - 1)},
+             {nodeFile(node), QRectF(side + gap, top, side, side), true}});
     });
 }
 

@@ -56,8 +56,7 @@ QVariant PortModel::data(const QModelIndex &index, int role) const
     case Qt::DecorationRole:
         return index.column() == Port ? QVariant(icons::state(lineHealth(line.status.state))) : QVariant();
     case Qt::TextAlignmentRole:
-        return QVariant::fromValue(
-            Qt::AlignVCenter | (index.column() >= Uptime ? Qt::AlignRight : Qt::AlignLeft));
+        return QVariant::fromValue(Qt::AlignVCenter | (index.column() >= Uptime ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole: return index.column() == State ? line.status.lastError : line.config.name;
     default: return {};
     }

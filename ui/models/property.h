@@ -10,7 +10,7 @@ struct Property
 {
     QString name;
     QString value;
-    QString note; ///< what the entry means, or that its value was replaced
+    QString note = {}; ///< what the entry means, or that its value was replaced
     bool isSection = false; ///< a heading: only the name counts
     bool isReplaced = false; ///< the ini gave something else that could not be used
 

@@ -119,13 +119,11 @@ QVariant SensorModel::data(const QModelIndex &index, int role) const
     switch (role) {
     case Qt::DisplayRole: return text(sensor, index.column());
     case Qt::TextAlignmentRole: return QVariant::fromValue(alignment(index.column()));
-    case Qt::DecorationRole:
-        return index.column() == Sensor ? QVariant(icons::state(healthOf(sensor))) : QVariant();
+    case Qt::DecorationRole: return index.column() == Sensor ? QVariant(icons::state(healthOf(sensor))) : QVariant();
     case Qt::FontRole: return index.column() == Status ? QVariant(fixedFont) : QVariant();
     case Qt::ForegroundRole:
-        return healthOf(sensor) == Health::Off
-            ? QVariant(QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text))
-            : QVariant();
+        return healthOf(sensor) == Health::Off ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
+                                               : QVariant();
     case Qt::ToolTipRole: return toolTip(sensor);
     default: return {};
     }

@@ -101,8 +101,7 @@ void addPauses(const ServerConfig &config, Properties &list)
         QStringLiteral("PReOpen"), timing.reopenPause, Settings::tr("after a failed attempt to open a port"));
     section.addTime(
         QStringLiteral("PClose"), timing.closePause, Settings::tr("after closing a port, before it is opened again"));
-    section.addTime(
-        QStringLiteral("PExit"), timing.exitLimit, Settings::tr("time for an orderly end of the program"));
+    section.addTime(QStringLiteral("PExit"), timing.exitLimit, Settings::tr("time for an orderly end of the program"));
 }
 
 void addSleeps(const ServerConfig &config, Properties &list)
@@ -203,8 +202,7 @@ Properties sensorSettings(const ServerConfig &config, const SensorConfig &sensor
         key("Yo"), Settings::tr("Offset My, degrees (arc-seconds)"), valuetext::degreesAndArcSeconds(sensor.offsetY));
     section.add(key("To"), Settings::tr("Offset T, °C"), valuetext::signedFixed(sensor.offsetT, 2));
     section.add(key("InvY"), Settings::tr("Inversion of axis Y"), yesNo(sensor.isYInverted));
-    section.add(
-        key("RotX"), Settings::tr("Rotation of axis X, degrees"), valuetext::signedFixed(sensor.rotationX, 3));
+    section.add(key("RotX"), Settings::tr("Rotation of axis X, degrees"), valuetext::signedFixed(sensor.rotationX, 3));
     section.add(key("SetData"), Settings::tr("Date of installation"), orAbsent(sensor.installedOn));
     section.add(key("AdjData"), Settings::tr("Date of the last adjustment"), orAbsent(sensor.adjustedOn));
     section.add(key("Note"), Settings::tr("Remark"), orAbsent(sensor.note));

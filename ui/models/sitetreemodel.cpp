@@ -112,16 +112,14 @@ QVariant SiteTreeModel::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole: return toolTip(item);
     case Qt::DecorationRole: break;
     case Qt::ForegroundRole:
-        return shownHealth(item) == Health::Off
-            ? QVariant(QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text))
-            : QVariant();
+        return shownHealth(item) == Health::Off ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
+                                                : QVariant();
     default: return {};
     }
     switch (item.kind) {
     case SiteItem::Kind::Server: return icons::tree(icons::Node::Server, m_serverHealth);
     case SiteItem::Kind::Line: return icons::tree(icons::Node::Port, shownHealth(item));
-    case SiteItem::Kind::Sensor:
-        return icons::tree(icons::nodeOf(sensorOf(item.index).config.type), shownHealth(item));
+    case SiteItem::Kind::Sensor: return icons::tree(icons::nodeOf(sensorOf(item.index).config.type), shownHealth(item));
     }
     return {};
 }

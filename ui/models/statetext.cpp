@@ -68,10 +68,8 @@ QString code(StatusCode code)
     case StatusCode::TransducerSilent: return State::tr("The transducer does not answer");
     case StatusCode::TransducerCrc: return State::tr("CRC errors of the transducer");
     case StatusCode::TransducerRange: return State::tr("The transducer is out of range");
-    case StatusCode::TemperatureSensor:
-        return State::tr("The temperature sensor does not work");
-    case StatusCode::TemperatureRange:
-        return State::tr("The temperature sensor is out of range");
+    case StatusCode::TemperatureSensor: return State::tr("The temperature sensor does not work");
+    case StatusCode::TemperatureRange: return State::tr("The temperature sensor is out of range");
     case StatusCode::Fan: return State::tr("The fan does not work");
     case StatusCode::Thermostat: return State::tr("The thermostat takes too long to settle");
     }
@@ -92,8 +90,7 @@ QString sensor(const SensorRegistry::Sensor &sensor, LineState line)
     case Health::Unknown: return State::tr("Waiting for the first answer");
     case Health::Good: return State::tr("Answering");
     case Health::Warning:
-        return State::tr("Answering: %1")
-            .arg(shortcomings(sensor.config, status).join(QStringLiteral(", ")));
+        return State::tr("Answering: %1").arg(shortcomings(sensor.config, status).join(QStringLiteral(", ")));
     case Health::Off:
     case Health::Error: break;
     }
@@ -117,7 +114,8 @@ QString sensorTitle(const SensorConfig &sensor)
 {
     const QString model = sensor.model.isEmpty() ? sensor.name : modelInRussian(sensor.model);
     const QString place = sensor.place.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(sensor.place);
-    return QStringLiteral("%1 %2%3 [%4]").arg(QString::number(sensor.number), model, place).arg(sensor.address);
+    return QStringLiteral("%1 %2%3 [%4]")
+        .arg(QString::number(sensor.number), model, place, QString::number(sensor.address));
 }
 
 QString counts(const HealthCounts &counts)

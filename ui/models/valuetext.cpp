@@ -60,11 +60,10 @@ QString acceleration(
     if (!statistics && !ring) {
         return absent();
     }
-    QString text = statistics
-        ? QString::asprintf(
-            "%.2f %.1f (%.2f|%.2f %.2f)", statistics->maximum, statistics->direction, statistics->rms,
-            statistics->rmsX, statistics->rmsY)
-        : absent();
+    QString text = statistics ? QString::asprintf(
+                       "%.2f %.1f (%.2f|%.2f %.2f)", statistics->maximum, statistics->direction, statistics->rms,
+                       statistics->rmsX, statistics->rmsY)
+                              : absent();
     if (ring) {
         text += QStringLiteral(" %1:%2 (%3) %4")
                     .arg(ring->packetsMeasured)

@@ -16,15 +16,13 @@ MeasurementsPage::MeasurementsPage(const SensorRegistry &registry, const ServerC
     auto *view = new TableView(QStringLiteral("measurementsTable"), this);
     view->setModel(m_model);
     const QFontMetrics metrics(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    constexpr int margins = 14;
+    constexpr int margins = 24;
     const int time = metrics.horizontalAdvance(QStringLiteral("18:33:03 07.02.18")) + margins;
     const int value = metrics.horizontalAdvance(QStringLiteral("-264000.0")) + margins;
     const int status = metrics.horizontalAdvance(QStringLiteral("10 0000 0001 0100")) + margins;
     view->horizontalHeader()->setDefaultSectionSize(value);
     view->setColumnWidth(0, time);
-    // Sections of their own width are remembered one by one: worth it for the first sensors only.
-    constexpr int widened = 1000;
-    for (int column = 6; column < std::min(m_model->columnCount(), widened); column += 5) {
+    for (int column = 6; column < m_model->columnCount(); column += 5) {
         view->setColumnWidth(column, status);
     }
     view->followEnd();

@@ -5,16 +5,41 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QProxyStyle>
 #include <QScrollBar>
 
 #include <algorithm>
 
 namespace gorizont {
 
+namespace {
+
+constexpr int sideMargin = 6; ///< between a text and the edge of its cell or heading, pixels
+
+/// The style of the desktop with room at both sides of a text. A style sheet would do, at several times the cost.
+class RoomyStyle : public QProxyStyle
+{
+public:
+    int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override
+    {
+        switch (metric) {
+        case PM_HeaderMargin: return sideMargin + 1;
+        case PM_FocusFrameHMargin: return sideMargin;
+        default: return QProxyStyle::pixelMetric(metric, option, widget);
+        }
+    }
+};
+
+} // namespace
+
 TableView::TableView(const QString &objectName, QWidget *parent)
     : QTableView(parent)
 {
     setObjectName(objectName);
+    auto *roomy = new RoomyStyle;
+    roomy->setParent(this);
+    setStyle(roomy);
+    horizontalHeader()->setStyle(roomy);
     setSelectionBehavior(SelectRows);
     setSelectionMode(ExtendedSelection);
     setAlternatingRowColors(true);
@@ -52,10 +77,11 @@ TableView::Rows TableView::visibleRows() const
 
 void TableView::setColumnSample(int column, const QString &widest)
 {
-    constexpr int margins = 22; // of a cell, and the sort indicator of a heading
+    constexpr int margins = 2 * sideMargin + 20; // and the sort indicator of a heading
     const QString heading = model()->headerData(column, Qt::Horizontal).toString();
     const QFont cellFont = model()->index(0, column).data(Qt::FontRole).value<QFont>();
-    const int cell = std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
+    const int cell =
+        std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
     setColumnWidth(column, std::max(fontMetrics().horizontalAdvance(heading), cell) + margins);
 }
 

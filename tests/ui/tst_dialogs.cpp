@@ -1,0 +1,111 @@
+#include "ui/attentionbanner.h"
+#include "ui/complaintsdialog.h"
+#include "ui/firstrundialog.h"
+#include "ui/mainwindow.h"
+#include "ui/models/icons.h"
+#include "ui/trayicon.h"
+
+#include "tests/ui/samplesite.h"
+
+#include <QAbstractButton>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QtTest>
+
+using namespace gorizont;
+
+class TestDialogs : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void complaintsCanBeCopied()
+    {
+        const Complaint inKey{
+            QStringLiteral("Port1"), QStringLiteral("adr2"), 34, QStringLiteral("300 is no address."),
+            QStringLiteral("The sensor is off.")};
+        const Complaint inFile{{}, {}, 0, QStringLiteral("The file is empty."), QStringLiteral("Defaults are used.")};
+        ComplaintsDialog dialog({inKey, inFile});
+        const QStringList lines{
+            QStringLiteral("[Port1] adr2 (line 34): 300 is no address. The sensor is off."),
+            QStringLiteral("The file is empty. Defaults are used.")};
+        const auto *text = dialog.findChild<QPlainTextEdit *>(QStringLiteral("complaintsText"));
+        QCOMPARE(text->toPlainText(), lines.join(QStringLiteral("\n\n")));
+        QVERIFY(!dialog.isModal());
+        dialog.findChild<QAbstractButton *>(QStringLiteral("complaintsCopy"))->click();
+        QCOMPARE(QGuiApplication::clipboard()->text(), lines.join(u'\n'));
+    }
+
+    void firstRun_data()
+    {
+        QTest::addColumn<QString>("button");
+        QTest::addColumn<int>("choice");
+        using Choice = FirstRunDialog::Choice;
+        QTest::newRow("demo") << QStringLiteral("startDemo") << static_cast<int>(Choice::StartDemo);
+        QTest::newRow("file") << QStringLiteral("chooseFile") << static_cast<int>(Choice::ChooseFile);
+        QTest::newRow("quit") << QStringLiteral("quit") << static_cast<int>(Choice::Quit);
+    }
+    void firstRun()
+    {
+        QFETCH(QString, button);
+        QFETCH(int, choice);
+        FirstRunDialog dialog({QStringLiteral("/opt/gorizont/GorizontServer.ini")});
+        QCOMPARE(dialog.choice(), FirstRunDialog::Choice::Quit);
+        dialog.findChild<QAbstractButton *>(button)->click();
+        QCOMPARE(static_cast<int>(dialog.choice()), choice);
+    }
+
+    void bannerIsThereOnlyWhenNeeded()
+    {
+        QWidget window;
+        auto *banner = new AttentionBanner(&window);
+        window.show();
+        QVERIFY(!banner->isVisible());
+        banner->setCount(2);
+        QVERIFY(banner->isVisible());
+        QVERIFY(banner->findChild<QLabel *>(QStringLiteral("attentionText"))->text().contains(u'2'));
+        banner->setCount(0);
+        QVERIFY(!banner->isVisible());
+    }
+
+    void trayShowsTheWorstState()
+    {
+        SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        Journal journal;
+        MainWindow window(registry, journal, test::sampleConfig(), {});
+        TrayIcon tray(window, registry);
+        const SteadyTime now = std::chrono::steady_clock::now();
+        registry.updateLine(test::openLine(1, now));
+        LineStatus lost;
+        lost.port = 2;
+        lost.state = LineState::Lost;
+        registry.updateLine(lost);
+        registry.update({test::sampleReading(now), test::tiltReading(2, 0, 0, now)});
+        tray.refresh();
+        QCOMPARE(tray.icon().icon().cacheKey(), icons::tray(Health::Error).cacheKey());
+        QCOMPARE(tray.icon().toolTip(), QStringLiteral("Gorizont Server (тест)\nSensors good: 2, starting: 1, off: 1"));
+    }
+
+    /// Every state has a shape of its own: the outlines differ, not only the colours.
+    void statesDifferInShape()
+    {
+        QSet<QByteArray> outlines;
+        for (std::size_t i = 0; i < healthKinds; ++i) {
+            const QImage image = icons::state(static_cast<Health>(i)).pixmap(16, 16).toImage();
+            QByteArray outline;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    outline += qAlpha(image.pixel(x, y)) > 127 ? '#' : ' ';
+                }
+            }
+            QVERIFY(outline.contains('#'));
+            outlines.insert(outline);
+        }
+        QCOMPARE(outlines.size(), static_cast<qsizetype>(healthKinds));
+    }
+};
+
+QTEST_MAIN(TestDialogs)
+#include "tst_dialogs.moc"

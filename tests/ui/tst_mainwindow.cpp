@@ -1,0 +1,347 @@
+#include "ui/mainwindow.h"
+
+#include "tests/ui/samplesite.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDialog>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeView>
+#include <QtTest>
+
+using namespace gorizont;
+
+/// The window as an operator uses it: real, offscreen, its widgets found by their names.
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_settings.isValid());
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+    }
+    void init()
+    {
+        m_config = test::sampleConfig();
+        m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
+        m_journal = std::make_unique<Journal>();
+        open({});
+    }
+    void cleanup()
+    {
+        m_window.reset();
+        m_journal.reset();
+        m_registry.reset();
+    }
+
+    /// Manual 000, sections 4.1 – 4.5: a tab exists only while its element is selected.
+    void tabsFollowTheTree()
+    {
+        QCOMPARE(tabs("stateTabs"), QStringList({QStringLiteral("Ports"), QStringLiteral("Sensors")}));
+        m_window->select(SiteItem::line(0));
+        QCOMPARE(tabs("stateTabs"), QStringList({QStringLiteral("Port")}));
+        m_window->select(SiteItem::sensor(0));
+        QCOMPARE(tabs("stateTabs"), QStringList({QStringLiteral("Sensor")}));
+        m_window->select(SiteItem::server());
+        QCOMPARE(tabs("stateTabs").size(), 2);
+        QCOMPARE(
+            tabs("infoTabs"),
+            QStringList({QStringLiteral("Settings"), QStringLiteral("Measurements"), QStringLiteral("Journal")}));
+    }
+
+    void valuesAppear()
+    {
+        trigger("goAction2");
+        QCOMPARE(cell("sensorsTable", 0, 1), QStringLiteral("—"));
+        m_registry->update({test::sampleReading(std::chrono::steady_clock::now())});
+        QTRY_COMPARE(cell("sensorsTable", 0, 1), QStringLiteral("-1.000"));
+        m_window->select(SiteItem::sensor(0));
+        QCOMPARE(cell("sensorTable", 2, 1), QStringLiteral("-1.000 +0.756 (-3599.5 +2720.5)"));
+        Reading next = test::sampleReading(std::chrono::steady_clock::now());
+        next.tilt = Tilt{3600, 0};
+        m_registry->update({next});
+        QTRY_COMPARE(cell("sensorTable", 2, 1), QStringLiteral("+1.000 +0.000 (+3600.0 +0.0)"));
+    }
+
+    void settingsFollowTheTree()
+    {
+        QCOMPARE(cell("settingsTable", 0, 0), QStringLiteral("[Server]"));
+        m_window->select(SiteItem::line(0));
+        QCOMPARE(cell("settingsTable", 0, 0), QStringLiteral("[Port]"));
+        m_window->select(SiteItem::sensor(1));
+        QCOMPARE(cell("settingsTable", 0, 0), QStringLiteral("[Sensor]"));
+        QCOMPARE(cell("settingsTable", 4, 1), QStringLiteral("24"));
+    }
+
+    void shortcutsGoEverywhere()
+    {
+        m_window->select(SiteItem::sensor(2));
+        trigger("goAction3");
+        QCOMPARE(currentNode(), QStringLiteral("COM9"));
+        trigger("goAction4");
+        QCOMPARE(currentNode(), QStringLiteral("3 ИН-Д3 [5]"));
+        trigger("goAction1");
+        QCOMPARE(currentNode(), QStringLiteral("Server"));
+        m_window->select(SiteItem::line(0));
+        trigger("goAction4");
+        QCOMPARE(currentNode(), QStringLiteral("1 АН-Д3 [Этаж 2] [12]"));
+        QCOMPARE(find<QAction>("goAction4")->shortcut(), QKeySequence(QStringLiteral("Ctrl+4")));
+    }
+
+    void doubleClickSelectsInTheTree()
+    {
+        trigger("goAction2");
+        auto *table = find<QTableView>("sensorsTable");
+        const QRect row = table->visualRect(table->model()->index(2, 1));
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, row.center());
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, row.center());
+        QCOMPARE(currentNode(), QStringLiteral("3 ИН-Д3 [5]"));
+    }
+
+    void searchFindsSensors()
+    {
+        trigger("findAction");
+        auto *search = find<QLineEdit>("treeSearch");
+        QTest::keyClicks(search, QStringLiteral("-"));
+        QCOMPARE(currentNode(), QStringLiteral("1 АН-Д3 [Этаж 2] [12]"));
+        QTest::keyClick(search, Qt::Key_Return);
+        QCOMPARE(currentNode(), QStringLiteral("2 ИН-Д3 [24]"));
+        search->clear();
+        QTest::keyClicks(search, QStringLiteral("[5]"));
+        QCOMPARE(currentNode(), QStringLiteral("3 ИН-Д3 [5]"));
+    }
+
+    void copyGivesTabSeparatedRows()
+    {
+        trigger("goAction1");
+        auto *table = find<QTableView>("portsTable");
+        table->selectAll();
+        table->setFocus();
+        QTest::keySequence(table, QKeySequence::Copy);
+        QCOMPARE(
+            QGuiApplication::clipboard()->text(),
+            QStringLiteral("COM4\tOpening\t—\t0\t0\t0\nCOM9\tOpening\t—\t0\t0\t0\nCOM2\tOff\t—\t0\t0\t0"));
+    }
+
+    void measurementsFollowTheEndUntilScrolledAway()
+    {
+        trigger("goAction6");
+        auto *table = find<QTableView>("measurementsTable");
+        for (int i = 0; i < 59; ++i) {
+            m_window->appendMeasurement(QString::number(i));
+        }
+        QTRY_VERIFY(table->verticalScrollBar()->maximum() > 0);
+        QTRY_COMPARE(table->verticalScrollBar()->value(), table->verticalScrollBar()->maximum());
+        table->verticalScrollBar()->setValue(0);
+        m_window->appendMeasurement(QStringLiteral("59"));
+        QTest::qWait(20);
+        QCOMPARE(table->verticalScrollBar()->value(), 0);
+        m_window->appendMeasurement(QStringLiteral("60"));
+        QCOMPARE(table->model()->rowCount(), 60); // MemoCount, MemoDel
+        QCOMPARE(cell("measurementsTable", 0, 0), QStringLiteral("1"));
+    }
+
+    void journalIsColouredAndFiltered()
+    {
+        m_journal->add(JournalKind::On, QStringLiteral("on"));
+        m_journal->add(JournalKind::Error, QStringLiteral("error"));
+        const auto *model = find<QTableView>("journalTable")->model();
+        QCOMPARE(model->rowCount(), 2);
+        const QColor error = model->index(1, 0).data(Qt::ForegroundRole).value<QColor>();
+        QVERIFY(error.red() > error.green() && error.red() > error.blue());
+        find<QCheckBox>("showErrors")->click();
+        QCOMPARE(model->rowCount(), 1);
+        QVERIFY(model->index(0, 0).data().toString().endsWith(QStringLiteral("   on")));
+    }
+
+    void statusBarCounts()
+    {
+        Reading silent = test::tiltReading(2, 0, 0, std::chrono::steady_clock::now());
+        silent.status = 0x3700;
+        m_registry->update({test::sampleReading(std::chrono::steady_clock::now()), silent});
+        QTRY_COMPARE(
+            find<QLabel>("sensorCounts")->text(),
+            QStringLiteral("Sensors good: 1, with errors: 1, starting: 1, off: 1"));
+        QVERIFY(find<QWidget>("attentionBanner")->isVisible());
+        m_window->setServerStatus(QStringLiteral("Modbus: 3"));
+        QCOMPARE(find<QLabel>("serverStatus")->text(), QStringLiteral("Modbus: 3"));
+    }
+
+    void hiddenWindowDoesNothing()
+    {
+        const auto *timer = find<QTimer>("refreshTimer");
+        QVERIFY(timer->isActive());
+        QCOMPARE(timer->interval(), 250);
+        trigger("goAction2");
+        QSignalSpy changed(find<QTableView>("sensorsTable")->model(), &QAbstractItemModel::dataChanged);
+        m_window->hide();
+        QVERIFY(!timer->isActive());
+        m_registry->update({test::sampleReading(std::chrono::steady_clock::now())});
+        QTest::qWait(300);
+        QCOMPARE(changed.size(), 0);
+        m_window->raiseWindow();
+        QVERIFY(timer->isActive());
+        QVERIFY(!changed.isEmpty());
+        m_window->showMinimized();
+        QTRY_VERIFY(!timer->isActive());
+    }
+
+    void minimisedWindowHidesToTheTray()
+    {
+        m_window->showMinimized();
+        QTest::qWait(20);
+        QVERIFY(m_window->isVisible()); // no tray: the task bar must keep it
+        m_window->raiseWindow();
+        QVERIFY(!m_window->isMinimized());
+        m_window->setHidesToTray(true);
+        m_window->showMinimized();
+        QTRY_VERIFY(!m_window->isVisible());
+        m_window->toggle();
+        QVERIFY(m_window->isVisible() && !m_window->isMinimized());
+        m_window->toggle();
+        QVERIFY(!m_window->isVisible());
+    }
+
+    void startsHidden()
+    {
+        m_config.startsHidden = true;
+        open({}, false);
+        m_window->showAtStart();
+        QVERIFY(m_window->isMinimized());
+        open({}, false);
+        m_window->setHidesToTray(true);
+        m_window->showAtStart();
+        QVERIFY(!m_window->isVisible());
+    }
+
+    void closingAsksOnlyWhenTold()
+    {
+        int questions = 0;
+        bool answer = false;
+        m_config.closesSilently = false;
+        open({});
+        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
+        m_window->setExitQuestion([&] {
+            ++questions;
+            return answer;
+        });
+        QVERIFY(!m_window->close());
+        QCOMPARE(questions, 1);
+        QCOMPARE(ended.size(), 0);
+        QVERIFY(m_window->isVisible());
+        answer = true;
+        QVERIFY(m_window->close());
+        QCOMPARE(ended.size(), 1);
+
+        m_config.closesSilently = true;
+        open({});
+        m_window->setExitQuestion([&] { return ++questions, false; });
+        QVERIFY(m_window->close());
+        QCOMPARE(questions, 2);
+    }
+
+    void complaintsAreShownOnce()
+    {
+        open({Complaint{
+            QStringLiteral("Timers"), QStringLiteral("TmRun"), 3, QStringLiteral("bad."), QStringLiteral("ok.")}});
+        QTRY_VERIFY(m_window->findChild<QDialog *>(QStringLiteral("complaintsDialog")));
+        QPointer<QDialog> dialog = m_window->findChild<QDialog *>(QStringLiteral("complaintsDialog"));
+        QVERIFY(dialog->isVisible() && !dialog->isModal());
+        dialog->close();
+        QTRY_VERIFY(!dialog);
+        m_window->hide();
+        m_window->raiseWindow();
+        QTest::qWait(20);
+        QVERIFY(!m_window->findChild<QDialog *>(QStringLiteral("complaintsDialog")));
+    }
+
+    void remembersItsLayout()
+    {
+        m_window->resize(1000, 700);
+        auto *splitter = find<QSplitter>("columnsSplitter");
+        splitter->setSizes({400, 600});
+        const QList<int> sizes = splitter->sizes();
+        m_window->close();
+        open({});
+        QCOMPARE(m_window->size(), QSize(1000, 700));
+        QTRY_COMPARE(find<QSplitter>("columnsSplitter")->sizes(), sizes);
+    }
+
+    /// Tests and scripts find everything by name.
+    void everythingHasAName()
+    {
+        for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
+            const bool isOurs = qobject_cast<const QAbstractItemView *>(widget)
+                || qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QLineEdit *>(widget)
+                || qobject_cast<const QTabWidget *>(widget) || qobject_cast<const QSplitter *>(widget);
+            const bool isPart = widget->parentWidget()->inherits("QAbstractItemView")
+                || widget->parentWidget()->inherits("QTabBar") || widget->parentWidget()->inherits("QLineEdit")
+                || widget->inherits("QHeaderView");
+            if (isOurs && !isPart) {
+                QVERIFY2(!widget->objectName().isEmpty(), widget->metaObject()->className());
+            }
+        }
+    }
+
+private:
+    void open(const QList<Complaint> &complaints, bool isShown = true)
+    {
+        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, m_config, complaints);
+        if (isShown) {
+            m_window->showAtStart();
+            QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        }
+    }
+
+    template <typename T> T *find(const char *name) const
+    {
+        T *found = m_window->findChild<T *>(QLatin1String(name));
+        if (!found) {
+            qFatal("no widget %s", name);
+        }
+        return found;
+    }
+
+    void trigger(const char *action) const { find<QAction>(action)->trigger(); }
+
+    QString cell(const char *table, int row, int column) const
+    {
+        return find<QTableView>(table)->model()->index(row, column).data().toString();
+    }
+
+    QString currentNode() const { return find<QTreeView>("siteTree")->currentIndex().data().toString(); }
+
+    QStringList tabs(const char *name) const
+    {
+        const auto *widget = find<QTabWidget>(name);
+        QStringList titles;
+        for (int i = 0; i < widget->count(); ++i) {
+            if (widget->isTabVisible(i)) {
+                titles += widget->tabText(i);
+            }
+        }
+        return titles;
+    }
+
+    QTemporaryDir m_settings;
+    ServerConfig m_config;
+    std::unique_ptr<SensorRegistry> m_registry;
+    std::unique_ptr<Journal> m_journal;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_mainwindow.moc"
