@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 namespace {
 
 constexpr quint32 seed = 20240611; // any number, but always the same
-constexpr int defaultRuns = 40000;
+constexpr int defaultRuns = 5000;
 constexpr qsizetype longestInput = 4096;
 
 QByteArray current; ///< the input that is being run, for the report of a failure

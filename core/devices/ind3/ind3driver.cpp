@@ -45,7 +45,8 @@ public:
         if (!dialect) {
             note(
                 JournalKind::Error,
-                QCoreApplication::translate("ind3", "The protocol \"%1\" is not known; 2.11 is used").arg(option));
+                QCoreApplication::translate("Ind3Driver", "The protocol \"%1\" is not known; 2.11 is used")
+                    .arg(option));
         }
         m_angles = anglesIn(dialect.value_or(Dialect::V211), sensor.address);
     }

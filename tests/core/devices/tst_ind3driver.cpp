@@ -30,13 +30,11 @@ private Q_SLOTS:
     void impossibleAddress();
     void unknownProtocol();
     void noBacklog();
-
-private:
-    void protocols();
-    static std::unique_ptr<Driver> driver(const QString &protocol, int address = 1);
 };
 
-void TstInd3Driver::protocols()
+namespace {
+
+void protocols()
 {
     QTest::addColumn<QString>("protocol");
     QTest::addColumn<QByteArray>("request");
@@ -54,7 +52,7 @@ void TstInd3Driver::protocols()
                             << hex("01 04 08 FF FE 2D 8A 00 02 F6 AB 4C BB") << -119.414 << 194.219;
 }
 
-std::unique_ptr<Driver> TstInd3Driver::driver(const QString &protocol, int address)
+std::unique_ptr<Driver> driver(const QString &protocol, int address = 1)
 {
     DriverSettings settings;
     settings.sensor.type = SensorType::InD;
@@ -65,6 +63,8 @@ std::unique_ptr<Driver> TstInd3Driver::driver(const QString &protocol, int addre
     }
     return ind3::makeDriver(settings);
 }
+
+} // namespace
 
 void TstInd3Driver::polls_data()
 {

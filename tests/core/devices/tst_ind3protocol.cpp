@@ -37,10 +37,13 @@ private Q_SLOTS:
     void notAFrame_data();
     void notAFrame();
     void badReplies();
-
-private:
-    static constexpr const char *m_angles = "7E 9B 01 01 6A 77 80 38 C2 00 FC 7E";
 };
+
+namespace {
+
+constexpr const char *anglesAnswer = "7E 9B 01 01 6A 77 80 38 C2 00 FC 7E";
+
+} // namespace
 
 void TstInd3Protocol::exchanges_data()
 {
@@ -48,7 +51,7 @@ void TstInd3Protocol::exchanges_data()
     QTest::addColumn<QByteArray>("sent");
     QTest::addColumn<QByteArray>("received");
 
-    QTest::newRow("read angles") << ask(Packet::ReadAngles, 1) << hex("7E 9B 01 01 9B 7E") << hex(m_angles);
+    QTest::newRow("read angles") << ask(Packet::ReadAngles, 1) << hex("7E 9B 01 01 9B 7E") << hex(anglesAnswer);
     QTest::newRow("version") << ask(Packet::Version, 1) << hex("7E 9B 0E 01 94 7E")
                              << hex("7E 9B 0E 01 76 32 2E 31 31 FE 7E");
     QTest::newRow("error") << ask(Packet::Version, 1) << hex("7E 9B 0E 01 94 7E") << hex("7E 9B FF 01 10 75 7E");
@@ -86,7 +89,7 @@ void TstInd3Protocol::exchanges()
 
 void TstInd3Protocol::values()
 {
-    QCOMPARE(*decodeAngles(hex(m_angles)), (Tilt{194 + 56 / 256.0, -(119 + 106 / 256.0)}));
+    QCOMPARE(*decodeAngles(hex(anglesAnswer)), (Tilt{194 + 56 / 256.0, -(119 + 106 / 256.0)}));
     QCOMPARE(*decodeVersion(hex("7E 9B 0E 01 76 32 2E 31 31 FE 7E")), QStringLiteral("v2.11"));
     QCOMPARE(*decodeBaud(hex("7E 9C 01 01 04 98 7E")), 9600);
     QCOMPARE(*decodeNameAnswer(hex("7E 9C 03 01 4E 4F 20 4E 41 4D 45 B8 7E")), QStringLiteral("NO NAME"));
@@ -203,8 +206,8 @@ void TstInd3Protocol::passesOverOthers()
     QFETCH(QByteArray, other);
     const ScanFunction scan = ask(Packet::ReadAngles, 1)->scan;
     QCOMPARE(scan(other), Scan::incomplete(other.size() - 1)); // its last delimiter may open the next frame
-    QCOMPARE(scan(other + hex(m_angles)), Scan::complete(other.size(), hex(m_angles).size()));
-    QCOMPARE(answerIn(scan, other + hex(m_angles), 1), hex(m_angles));
+    QCOMPARE(scan(other + hex(anglesAnswer)), Scan::complete(other.size(), hex(anglesAnswer).size()));
+    QCOMPARE(answerIn(scan, other + hex(anglesAnswer), 1), hex(anglesAnswer));
 }
 
 /// One delimiter between two frames is enough, and two or more do no harm.
@@ -212,8 +215,8 @@ void TstInd3Protocol::delimiters()
 {
     const ScanFunction scan = ask(Packet::ReadAngles, 1)->scan;
     const QByteArray other = hex("7E 9C 01 01 04 98 7E");
-    QCOMPARE(answerIn(scan, other.chopped(1) + hex(m_angles)), hex(m_angles));
-    QCOMPARE(scan(hex("7E 7E 7E") + hex(m_angles)), Scan::complete(3, 12));
+    QCOMPARE(answerIn(scan, other.chopped(1) + hex(anglesAnswer)), hex(anglesAnswer));
+    QCOMPARE(scan(hex("7E 7E 7E") + hex(anglesAnswer)), Scan::complete(3, 12));
     QCOMPARE(scan(hex("7E")), Scan::incomplete());
     QCOMPARE(scan(hex("00 01 02")), Scan::incomplete(3));
 }
@@ -230,7 +233,7 @@ void TstInd3Protocol::damaged()
 void TstInd3Protocol::nestedAnswers()
 {
     const ScanFunction scan = ask(Packet::ReadAngles, 1)->scan;
-    const QByteArray answer = hex(m_angles);
+    const QByteArray answer = hex(anglesAnswer);
     QCOMPARE(scan(answer.left(6) + answer), Scan::damaged(0, 6));
     QCOMPARE(scan(answer.chopped(1) + answer), Scan::complete(0, answer.size()));
     // A frame that claims to hold another: 7E never stands inside, so the inner one is the frame.
@@ -243,7 +246,7 @@ void TstInd3Protocol::endlessNoise()
     const QByteArray noise(60000, '\x55');
     QCOMPARE(scan(noise), Scan::incomplete(noise.size()));
     QCOMPARE(scan('\x7E' + noise), Scan::incomplete(noise.size() + 1));
-    QCOMPARE(answerIn(scan, '\x7E' + noise + hex(m_angles), 100), hex(m_angles));
+    QCOMPARE(answerIn(scan, '\x7E' + noise + hex(anglesAnswer), 100), hex(anglesAnswer));
 }
 
 void TstInd3Protocol::notAFrame_data()

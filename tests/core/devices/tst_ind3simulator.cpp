@@ -46,24 +46,13 @@ private Q_SLOTS:
     void survivesNoise();
     void ignoresOthers_data();
     void ignoresOthers();
-
-private:
-    static constexpr quint64 m_seed = 7;
-    static SensorConfig config(const QString &protocol = QStringLiteral("2.11"), int address = 1);
-    void questions();
 };
 
 namespace {
 
-/// Sends \a request and gives back the answer that its scan finds.
-QByteArray talkTo(Simulator &device, const std::optional<Request> &request, SimulatedDevice::Time now = 1s)
-{
-    return request ? answerIn(request->scan, device.receive(request->bytes, now)).value_or(QByteArray()) : QByteArray();
-}
+constexpr quint64 seed = 7;
 
-} // namespace
-
-SensorConfig TstInd3Simulator::config(const QString &protocol, int address)
+SensorConfig config(const QString &protocol = QStringLiteral("2.11"), int address = 1)
 {
     SensorConfig sensor;
     sensor.number = 3;
@@ -72,6 +61,23 @@ SensorConfig TstInd3Simulator::config(const QString &protocol, int address)
     sensor.options.insert(QStringLiteral("protocol"), protocol);
     return sensor;
 }
+
+void questions()
+{
+    QTest::addColumn<QString>("protocol");
+    QTest::addColumn<QByteArray>("request");
+    QTest::newRow("2.11") << QStringLiteral("2.11") << hex("7E 9B 01 01 9B 7E");
+    QTest::newRow("2.10") << QStringLiteral("2.10") << hex("7E 9A 01 01 FE 7E");
+    QTest::newRow("modbus") << QStringLiteral("modbus") << hex("01 04 00 00 00 04 F1 C9");
+}
+
+/// Sends \a request and gives back the answer that its scan finds.
+QByteArray talkTo(Simulator &device, const std::optional<Request> &request, SimulatedDevice::Time now = 1s)
+{
+    return request ? answerIn(request->scan, device.receive(request->bytes, now)).value_or(QByteArray()) : QByteArray();
+}
+
+} // namespace
 
 void TstInd3Simulator::factorySettings_data()
 {
@@ -93,25 +99,16 @@ void TstInd3Simulator::factorySettings()
 {
     QFETCH(QByteArray, request);
     QFETCH(QByteArray, answer);
-    Simulator device(config(), m_seed);
+    Simulator device(config(), seed);
     QCOMPARE(device.receive(request, 0s), answer);
 }
 
 void TstInd3Simulator::selfTest()
 {
-    Simulator device(config(), m_seed);
+    Simulator device(config(), seed);
     device.setSelfTest(0x10);
     QCOMPARE(device.receive(hex("7E 9B 0E 01 94 7E"), 0s), hex("7E 9B FF 01 10 75 7E"));
     QCOMPARE(device.receive(hex("7E 9C 0B 01 96 7E"), 0s), hex("7E 9C 0B 01 5F 07 00 00 CE 7E"));
-}
-
-void TstInd3Simulator::questions()
-{
-    QTest::addColumn<QString>("protocol");
-    QTest::addColumn<QByteArray>("request");
-    QTest::newRow("2.11") << QStringLiteral("2.11") << hex("7E 9B 01 01 9B 7E");
-    QTest::newRow("2.10") << QStringLiteral("2.10") << hex("7E 9A 01 01 FE 7E");
-    QTest::newRow("modbus") << QStringLiteral("modbus") << hex("01 04 00 00 00 04 F1 C9");
 }
 
 void TstInd3Simulator::tiltsLikeTheBuilding_data()
@@ -124,13 +121,13 @@ void TstInd3Simulator::tiltsLikeTheBuilding()
 {
     QFETCH(QString, protocol);
     QFETCH(QByteArray, request);
-    const auto device = makeSimulator(config(protocol), m_seed);
+    const auto device = makeSimulator(config(protocol), seed);
     QCOMPARE(device->number(), 3);
     QCOMPARE(device->address(), 1);
     DriverSettings settings;
     settings.sensor = config(protocol);
     const auto driver = makeDriver(settings);
-    const BuildingMotion motion(m_seed, 3);
+    const BuildingMotion motion(seed, 3);
     for (const SimulatedDevice::Time now :
          {SimulatedDevice::Time(0s), SimulatedDevice::Time(1h), SimulatedDevice::Time(30h)}) {
         FakeLine line;
@@ -160,7 +157,7 @@ void TstInd3Simulator::anglesRoundTrip()
 
 void TstInd3Simulator::settings211()
 {
-    Simulator device(config(), m_seed);
+    Simulator device(config(), seed);
     QVERIFY(!talkTo(device, setName(1, QStringLiteral("Дом }~ 1"))).isEmpty());
     QCOMPARE(*decodeNameAnswer(talkTo(device, ask(Packet::GetName, 1))), QStringLiteral("Дом }~ 1"));
     QVERIFY(!talkTo(device, setBaud(1, 115200)).isEmpty());
@@ -181,7 +178,7 @@ void TstInd3Simulator::settings211()
 
 void TstInd3Simulator::settingsSurviveReboot()
 {
-    Simulator device(config(), m_seed);
+    Simulator device(config(), seed);
     QVERIFY(!talkTo(device, setTicks(1, 64)).isEmpty());
     device.receive(hex("7E 9B 01"), 1s); // forgotten by the restart
     device.reboot(2s);
@@ -208,7 +205,7 @@ void TstInd3Simulator::refusesNonsense211_data()
 void TstInd3Simulator::refusesNonsense211()
 {
     QFETCH(QByteArray, request);
-    Simulator device(config(), m_seed);
+    Simulator device(config(), seed);
     QCOMPARE(device.receive(request, 0s), QByteArray());
     QCOMPARE(device.address(), 1);
     QCOMPARE(device.receive(hex("7E 9C 01 01 9C 7E"), 0s), hex("7E 9C 01 01 04 98 7E"));
@@ -216,7 +213,7 @@ void TstInd3Simulator::refusesNonsense211()
 
 void TstInd3Simulator::changesAddress211()
 {
-    Simulator device(config(), m_seed);
+    Simulator device(config(), seed);
     QCOMPARE(talkTo(device, setAddress(1, 2)), hex("7E 9C 09 02 97 7E"));
     QCOMPARE(device.address(), 2);
     QVERIFY(device.receive(hex("7E 9B 01 01 9B 7E"), 0s).isEmpty());
@@ -225,14 +222,14 @@ void TstInd3Simulator::changesAddress211()
 
 void TstInd3Simulator::escapes()
 {
-    Simulator device(config(QStringLiteral("2.11"), 0x7E), m_seed);
+    Simulator device(config(QStringLiteral("2.11"), 0x7E), seed);
     QCOMPARE(device.receive(hex("7E 9C 0C 7D 5E EE 7E"), 0s), hex("7E 9C 0C 7D 5E 05 EB 7E"));
     QVERIFY(decodeAngles(talkTo(device, ask(Packet::ReadAngles, 0x7E))));
 }
 
 void TstInd3Simulator::ping210()
 {
-    Simulator device(config(QStringLiteral("2.10")), m_seed);
+    Simulator device(config(QStringLiteral("2.10")), seed);
     QCOMPARE(device.receive(hex("7E 9A 03 01 FC 7E"), 0s), hex("35"));
     QVERIFY(device.receive(hex("7E 9A 02 01 FD 7E"), 0s).isEmpty());
     QVERIFY(device.receive(hex("7E 9A 03 01 FD 7E"), 0s).isEmpty());
@@ -241,7 +238,7 @@ void TstInd3Simulator::ping210()
 
 void TstInd3Simulator::settingsModbus()
 {
-    Simulator device(config(QStringLiteral("modbus")), m_seed);
+    Simulator device(config(QStringLiteral("modbus")), seed);
     QCOMPARE(
         device.receive(hex("01 03 00 14 00 08 04 08"), 0s),
         hex("01 03 10 00 04 00 01 00 02 00 05 10 30 00 01 00 00 07 5F 98 F4"));
@@ -277,14 +274,14 @@ void TstInd3Simulator::exceptionsModbus()
 {
     QFETCH(QByteArray, request);
     QFETCH(QByteArray, answer);
-    Simulator device(config(QStringLiteral("modbus")), m_seed);
+    Simulator device(config(QStringLiteral("modbus")), seed);
     QCOMPARE(device.receive(request, 0s), answer);
     QCOMPARE(device.receive(hex("01 03 00 14 00 01 C4 0E"), 0s), hex("01 03 02 00 04 B9 87"));
 }
 
 void TstInd3Simulator::changesAddressModbus()
 {
-    Simulator device(config(QStringLiteral("modbus")), m_seed);
+    Simulator device(config(QStringLiteral("modbus")), seed);
     QCOMPARE(talkTo(device, modbus::setAddress(1, 2)), hex("01 10 00 19 00 01 D0 0E"));
     QCOMPARE(device.address(), 2);
     QVERIFY(talkTo(device, modbus::readAngles(1)).isEmpty());
@@ -293,7 +290,7 @@ void TstInd3Simulator::changesAddressModbus()
 
 void TstInd3Simulator::changesProtocolModbus()
 {
-    Simulator device(config(QStringLiteral("modbus")), m_seed);
+    Simulator device(config(QStringLiteral("modbus")), seed);
     QVERIFY(talkTo(device, ask(Packet::ReadAngles, 1)).isEmpty());
     device.reboot(0s);
     QVERIFY(modbusrtu::confirmation(talkTo(device, modbus::setProtocol(1, false))));
@@ -304,7 +301,7 @@ void TstInd3Simulator::changesProtocolModbus()
 /// Whoever writes register 38 hears no more of the device.
 void TstInd3Simulator::bootLoader()
 {
-    Simulator device(config(QStringLiteral("modbus")), m_seed);
+    Simulator device(config(QStringLiteral("modbus")), seed);
     QCOMPARE(device.receive(hex("01 10 00 26 00 01 02 00 01 60 96"), 0s), hex("01 10 00 26 00 01 E0 02"));
     QVERIFY(talkTo(device, modbus::readAngles(1)).isEmpty());
     device.reboot(1s);
@@ -314,7 +311,7 @@ void TstInd3Simulator::bootLoader()
 /// Half a request of function 16 could wait for 200 more bytes; silence ends it.
 void TstInd3Simulator::forgetsHalfARequest()
 {
-    Simulator device(config(QStringLiteral("modbus")), m_seed);
+    Simulator device(config(QStringLiteral("modbus")), seed);
     QVERIFY(device.receive(hex("01 10 00 1E 00 78 F0 FF"), 1s).isEmpty());
     QVERIFY(device.receive(modbus::readAngles(1)->bytes, 1s + 10ms).isEmpty());
     QVERIFY(modbus::decodeAngles(talkTo(device, modbus::readAngles(1), 1s + 200ms)));
@@ -329,11 +326,11 @@ void TstInd3Simulator::inAnyPieces()
 {
     QFETCH(QString, protocol);
     QFETCH(QByteArray, request);
-    Simulator whole(config(protocol), m_seed);
+    Simulator whole(config(protocol), seed);
     const QByteArray expected = whole.receive(request, 1s);
     QVERIFY(!expected.isEmpty());
     for (qsizetype size = 1; size <= request.size(); ++size) {
-        Simulator device(config(protocol), m_seed);
+        Simulator device(config(protocol), seed);
         QByteArray answer;
         for (qsizetype at = 0; at < request.size(); at += size) {
             QVERIFY(answer.isEmpty());
@@ -353,7 +350,7 @@ void TstInd3Simulator::survivesNoise()
 {
     QFETCH(QString, protocol);
     QFETCH(QByteArray, request);
-    Simulator device(config(protocol), m_seed);
+    Simulator device(config(protocol), seed);
     const QByteArray expected = device.receive(request, 2s);
     QVERIFY(!expected.isEmpty());
     for (const QByteArray &noise :
@@ -385,7 +382,7 @@ void TstInd3Simulator::ignoresOthers()
     QFETCH(QString, protocol);
     QFETCH(QByteArray, others);
     QFETCH(QByteArray, request);
-    Simulator device(config(protocol), m_seed);
+    Simulator device(config(protocol), seed);
     QVERIFY(device.receive(others, 1s).isEmpty());
     QVERIFY(!device.receive(request, 2s).isEmpty());
 }
