@@ -38,7 +38,7 @@ class ModbusPeer : public QObject
 
 public:
     static constexpr qint64 readLimit = 4096; ///< bytes a turn: at most 341 reads, 88 KiB of answers
-    static constexpr qint64 unsentLimit = 256 * 1024; ///< bytes
+    static constexpr qint64 unsentLimit = 262144; ///< bytes, 256 KiB
 
     enum class End : quint8 { Left, Malformed, Stalled };
     Q_ENUM(End)

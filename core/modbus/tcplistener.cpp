@@ -84,6 +84,7 @@ void TcpListener::watchArrivals()
     m_server.pauseAccepting();
     m_arrivals = new QSocketNotifier(m_server.socketDescriptor(), QSocketNotifier::Read, this);
     connect(m_arrivals, &QSocketNotifier::activated, this, &TcpListener::acceptSome);
+    resumeAccepting();
 }
 
 void TcpListener::acceptSome()

@@ -85,7 +85,7 @@ private Q_SLOTS:
         QTRY_VERIFY(deaf.isGone() || deaf.send(flood) < 0);
         QVERIFY2(generated > static_cast<quint64>(ModbusPeer::unsentLimit), "it was paused before the limit");
         // What the system buffers for the connection (4 MiB by default) and one read beyond the limit.
-        QVERIFY2(generated < 8U * 1024 * 1024, "it was not paused");
+        QVERIFY2(generated < 8'000'000U, "it was not paused");
         QVERIFY2(cpuSeconds() - cpuBefore < 0.9, "a paused client costs the CPU");
     }
 
@@ -108,7 +108,7 @@ private Q_SLOTS:
             idleTurns = taken > 0 ? 0 : idleTurns + 1;
         }
         const qsizetype asked = sent / request.size();
-        QVERIFY(asked * 45 > 1024 * 1024);
+        QVERIFY(asked * 45 > 1'000'000);
         // The server has stopped reading and nothing was lost: all answers come when the client reads.
         qsizetype received = 0;
         QElapsedTimer watch;
@@ -138,6 +138,8 @@ private Q_SLOTS:
             clients.push_back(std::make_unique<RawSocket>());
             highest = std::max(highest, clients.back()->fd());
         }
+        // Note for sanitizer builds: the first virtual call on a type opens a pipe to look at the object, so without
+        // descriptors a type that was not used before is reported as an invalid object.
         const DescriptorLimit limit;
         limit.set(highest + 4); // three more, and no descriptor for the others
         for (const auto &client : clients) {

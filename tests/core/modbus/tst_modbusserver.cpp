@@ -160,7 +160,7 @@ private Q_SLOTS:
     void cutsOffIdleClients()
     {
         ModbusConfig config = modbusSite();
-        config.idle = 300ms;
+        config.idle = 1000ms;
         ModbusServer server(config);
         JournalSpy journal(server);
         QVERIFY(server.connectDevice());
@@ -168,10 +168,13 @@ private Q_SLOTS:
         TestClient half(server.serverPort());
         TestClient busy(server.serverPort());
         half.send(request.first(6));
-        for (int i = 0; i < 20; ++i) {
+        QElapsedTimer watch;
+        watch.start();
+        while ((idle.isConnected() || half.isConnected()) && watch.elapsed() < 10000) {
             QCOMPARE(busy.ask(request, 45).size(), 45);
-            QTest::qWait(50);
+            QTest::qWait(20);
         }
+        QVERIFY(watch.elapsed() >= 900);
         QVERIFY(!idle.isConnected());
         QVERIFY(!half.isConnected());
         QVERIFY(busy.isConnected());

@@ -77,9 +77,8 @@ private Q_SLOTS:
         const QByteArray whole = tiltBlock();
         for (int address = 0; address < 18; ++address) {
             for (int count = 1; address + count <= 18; ++count) {
-                QCOMPARE(
-                    images.inputRegisters(3)->registers(address, count)->toByteArray(),
-                    whole.mid(2 * address, 2 * count));
+                const QByteArray piece = images.inputRegisters(3)->registers(address, count)->toByteArray();
+                QCOMPARE(piece, whole.mid(qsizetype(2) * address, qsizetype(2) * count));
             }
             QVERIFY(!images.inputRegisters(3)->registers(address, 19 - address));
         }
