@@ -20,18 +20,19 @@ struct About
 
 void showAbout(QWidget *parent)
 {
-    QMessageBox box(parent);
-    box.setObjectName(QStringLiteral("aboutDialog"));
-    box.setWindowTitle(About::tr("About"));
-    box.setIconPixmap(icons::program().pixmap(QSize(64, 64), box.devicePixelRatioF()));
-    box.setText(QStringLiteral("<b>Gorizont Server</b> ") + QStringLiteral(GORIZONT_VERSION));
-    box.setInformativeText(
+    auto *box = new QMessageBox(parent);
+    box->setObjectName(QStringLiteral("aboutDialog"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(About::tr("About"));
+    box->setIconPixmap(icons::program().pixmap(QSize(64, 64), box->devicePixelRatioF()));
+    box->setText(QStringLiteral("<b>Gorizont Server</b> ") + QStringLiteral(GORIZONT_VERSION));
+    box->setInformativeText(
         About::tr("Watches buildings: polls inclinometers and accelerometers, shows, saves and serves their readings.")
         + QStringLiteral("\n\n")
         + About::tr("Free software under the GNU General Public License, version 3. It comes without any warranty.")
         + QStringLiteral("\n\n") + About::tr("Built with Qt %1").arg(QLatin1String(qVersion())));
-    box.addButton(About::tr("Close"), QMessageBox::AcceptRole);
-    box.exec();
+    box->addButton(About::tr("Close"), QMessageBox::AcceptRole)->setObjectName(QStringLiteral("aboutClose"));
+    box->open();
 }
 
 } // namespace gorizont

@@ -4,7 +4,7 @@ class QWidget;
 
 namespace gorizont {
 
-/// Name, version and licence of the program. Returns when it is closed.
+/// Name, version and licence of the program. Returns at once.
 void showAbout(QWidget *parent);
 
 } // namespace gorizont

@@ -34,7 +34,6 @@ MainWindow::MainWindow(
     , m_registry(registry)
     , m_config(config)
     , m_complaints(complaints)
-    , m_asksExit([this] { return askExit(); })
     , m_refreshTimer(new QTimer(this))
 {
     setObjectName(QStringLiteral("mainWindow"));
@@ -196,23 +195,39 @@ void MainWindow::toggle()
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     // The end of the desktop session does not wait for an answer.
-    const bool mayEnd = m_config.closesSilently || qGuiApp->isSavingSession() || m_asksExit();
+    const bool mayEnd = m_config.closesSilently || m_isExitConfirmed || qGuiApp->isSavingSession();
     event->setAccepted(mayEnd);
-    if (mayEnd) {
-        saveLayout();
-        Q_EMIT exitRequested();
+    if (!mayEnd) {
+        askExit();
+        return;
     }
+    saveLayout();
+    Q_EMIT exitRequested();
 }
 
-bool MainWindow::askExit()
+/// Returns at once: the program may be told to end in another way while the question is open.
+void MainWindow::askExit()
 {
-    QMessageBox box(QMessageBox::Question, windowTitle(), tr("End the work of the program?"), {}, this);
-    box.setObjectName(QStringLiteral("exitQuestion"));
-    box.setInformativeText(tr("Polling of the sensors, records and the data server will stop."));
-    QPushButton *yes = box.addButton(tr("&Yes"), QMessageBox::YesRole);
-    box.setDefaultButton(box.addButton(tr("&No"), QMessageBox::NoRole));
-    box.exec();
-    return box.clickedButton() == yes;
+    if (m_exitQuestion) {
+        m_exitQuestion->raise();
+        return;
+    }
+    m_exitQuestion =
+        new QMessageBox(QMessageBox::Question, windowTitle(), tr("End the work of the program?"), {}, this);
+    m_exitQuestion->setObjectName(QStringLiteral("exitQuestion"));
+    m_exitQuestion->setAttribute(Qt::WA_DeleteOnClose);
+    m_exitQuestion->setInformativeText(tr("Polling of the sensors, records and the data server will stop."));
+    QPushButton *yes = m_exitQuestion->addButton(tr("&Yes"), QMessageBox::YesRole);
+    yes->setObjectName(QStringLiteral("exitYes"));
+    QPushButton *no = m_exitQuestion->addButton(tr("&No"), QMessageBox::NoRole);
+    no->setObjectName(QStringLiteral("exitNo"));
+    m_exitQuestion->setDefaultButton(no);
+    m_exitQuestion->setEscapeButton(no);
+    connect(yes, &QPushButton::clicked, this, [this] {
+        m_isExitConfirmed = true;
+        close();
+    });
+    m_exitQuestion->open();
 }
 
 void MainWindow::showComplaints()

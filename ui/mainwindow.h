@@ -6,10 +6,12 @@
 #include "ui/models/siteitem.h"
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include <functional>
 
 class QLabel;
+class QMessageBox;
 class QSplitter;
 class QTimer;
 
@@ -39,9 +41,6 @@ public:
     /// The window may vanish instead of being minimised, because a tray icon brings it back.
     void setHidesToTray(bool hidesToTray) { m_hidesToTray = hidesToTray; }
 
-    /// Asked before the end when CanClose=0; false keeps the program running.
-    void setExitQuestion(const std::function<bool()> &question) { m_asksExit = question; }
-
     void select(SiteItem item);
 
 public Q_SLOTS:
@@ -54,7 +53,7 @@ public Q_SLOTS:
     void toggle();
 
 Q_SIGNALS:
-    /// The user wants the program to end and was asked if that had to be.
+    /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
 
 protected:
@@ -77,12 +76,12 @@ private:
     void goToPort();
     void goToSensor();
     void showComplaints();
-    bool askExit();
+    void askExit();
 
     SensorRegistry &m_registry;
     const ServerConfig m_config;
     QList<Complaint> m_complaints; ///< not shown yet
-    std::function<bool()> m_asksExit;
+    QPointer<QMessageBox> m_exitQuestion; ///< while it waits for an answer
 
     SiteTree *m_tree = nullptr;
     AttentionBanner *m_banner = nullptr;
@@ -97,6 +96,7 @@ private:
 
     bool m_isDirty = true; ///< readings came since the last refresh
     bool m_hidesToTray = false;
+    bool m_isExitConfirmed = false;
     int m_lastLine = 0; ///< selected last, for Ctrl+3 and Ctrl+4
     int m_lastSensor = 0;
 };

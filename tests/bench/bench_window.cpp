@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QTabWidget>
+#include <QTableView>
 #include <QThread>
 #include <QTimer>
 
@@ -164,6 +165,7 @@ void takeShots(const QString &folder)
     shoot(window, folder, QStringLiteral("server-ports"));
     window.findChild<QTabWidget *>(QStringLiteral("stateTabs"))->setCurrentIndex(1);
     window.findChild<QTabWidget *>(QStringLiteral("infoTabs"))->setCurrentIndex(1);
+    window.findChild<QTableView *>(QStringLiteral("sensorsTable"))->sortByColumn(3, Qt::DescendingOrder);
     shoot(window, folder, QStringLiteral("server-sensors"));
     window.select(SiteItem::line(0));
     window.findChild<QTabWidget *>(QStringLiteral("infoTabs"))->setCurrentIndex(2);

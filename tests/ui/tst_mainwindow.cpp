@@ -2,6 +2,7 @@
 
 #include "tests/ui/samplesite.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
@@ -9,6 +10,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
@@ -227,30 +229,42 @@ private Q_SLOTS:
         QVERIFY(!m_window->isVisible());
     }
 
-    void closingAsksOnlyWhenTold()
+    void closingAsksWhenTold()
     {
-        int questions = 0;
-        bool answer = false;
         m_config.closesSilently = false;
         open({});
         QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
-        m_window->setExitQuestion([&] {
-            ++questions;
-            return answer;
-        });
         QVERIFY(!m_window->close());
-        QCOMPARE(questions, 1);
-        QCOMPARE(ended.size(), 0);
+        QVERIFY(find<QMessageBox>("exitQuestion")->isVisible());
+        QVERIFY(!m_window->close()); // a second attempt asks no second question
+        QCOMPARE(m_window->findChildren<QMessageBox *>().size(), 1);
+        find<QAbstractButton>("exitNo")->click();
+        QTRY_VERIFY(!m_window->findChild<QMessageBox *>());
         QVERIFY(m_window->isVisible());
-        answer = true;
+        QCOMPARE(ended.size(), 0);
+
+        QVERIFY(!m_window->close());
+        find<QAbstractButton>("exitYes")->click();
+        QCOMPARE(ended.size(), 1);
+        QVERIFY(!m_window->isVisible());
+    }
+
+    void closingIsSilentOtherwise()
+    {
+        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
         QVERIFY(m_window->close());
         QCOMPARE(ended.size(), 1);
+    }
 
-        m_config.closesSilently = true;
-        open({});
-        m_window->setExitQuestion([&] { return ++questions, false; });
-        QVERIFY(m_window->close());
-        QCOMPARE(questions, 2);
+    void aboutTellsVersionAndLicence()
+    {
+        trigger("aboutAction");
+        const auto *box = find<QMessageBox>("aboutDialog");
+        QVERIFY(box->isVisible());
+        QVERIFY(box->text().contains(QStringLiteral(GORIZONT_VERSION)));
+        QVERIFY(box->informativeText().contains(QStringLiteral("GNU General Public License")));
+        find<QAbstractButton>("aboutClose")->click();
+        QTRY_VERIFY(!m_window->findChild<QMessageBox *>());
     }
 
     void complaintsAreShownOnce()

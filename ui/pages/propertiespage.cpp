@@ -16,7 +16,7 @@ PropertiesPage::PropertiesPage(const QString &tableName, Notes notes, QWidget *p
     m_view->setModel(m_model);
     const int character = fontMetrics().averageCharWidth();
     m_view->setColumnWidth(PropertyModel::Name, character * 42);
-    m_view->setColumnWidth(PropertyModel::Value, character * 34);
+    m_view->setColumnWidth(PropertyModel::Value, character * 44);
     m_view->horizontalHeader()->setStretchLastSection(true);
     connect(m_model, &PropertyModel::modelReset, this, &PropertiesPage::mergeHeadings);
     auto *layout = new QVBoxLayout(this);

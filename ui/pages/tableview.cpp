@@ -77,7 +77,7 @@ TableView::Rows TableView::visibleRows() const
 
 void TableView::setColumnSample(int column, const QString &widest)
 {
-    constexpr int margins = 2 * sideMargin + 20; // and the sort indicator of a heading
+    constexpr int margins = 2 * (sideMargin + 1) + 6;
     const QString heading = model()->headerData(column, Qt::Horizontal).toString();
     const QFont cellFont = model()->index(0, column).data(Qt::FontRole).value<QFont>();
     const int cell =
