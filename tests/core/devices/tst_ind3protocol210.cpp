@@ -61,7 +61,11 @@ void TstInd3Protocol210::anglesAfterEcho()
         QVERIFY(!answerIn(request.scan, request.bytes, size));
         QCOMPARE(answerIn(request.scan, request.bytes + anglesAnswer, size), anglesAnswer);
         QCOMPARE(answerIn(request.scan, hex("00 FF") + request.bytes + anglesAnswer, size), anglesAnswer);
+        // 9A 01 01 FE 7E E8 00, across the seam, has a good check sum too.
+        const QByteArray treacherous = hex("E8 00 00 00 00 00 18");
+        QCOMPARE(answerIn(request.scan, request.bytes + treacherous, size), treacherous);
     }
+    QCOMPARE(request.scan(request.bytes + anglesAnswer.left(3)), Scan::incomplete(6)); // an echo is no damage
 }
 
 void TstInd3Protocol210::damagedAngles()

@@ -126,6 +126,9 @@ void TstModbusRtu::echoIsPassedOver()
         QCOMPARE(answerIn(request.scan, hex("00 01") + request.bytes + bytes, size), bytes);
         QVERIFY(!answerIn(request.scan, request.bytes, size));
     }
+    for (qsizetype size = 0; size < request.bytes.size(); ++size) {
+        QCOMPARE(request.scan(request.bytes.left(size)), Scan::incomplete());
+    }
 }
 
 void TstModbusRtu::passesOverOthers()
