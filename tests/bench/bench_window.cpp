@@ -2,12 +2,14 @@
 // batch a port. `bench_window [seconds]` prints the share of one core, visible on each page and hidden; the readings come from
 // another thread, as they do in the program. `bench_window --shots FOLDER [ru|en]` writes pictures of a small site instead.
 
+#include "ui/firstrundialog.h"
 #include "ui/mainwindow.h"
 
 #include "tests/ui/samplesite.h"
 #include "translations/translation.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
 #include <QTabWidget>
 #include <QTableView>
@@ -138,6 +140,7 @@ void takeShots(const QString &folder)
 {
     ServerConfig config = test::sampleConfig();
     config.timing.run = std::chrono::milliseconds(100);
+    config.closesSilently = false;
     config.replaced.insert(QStringLiteral("timers/tmrun"), QStringLiteral("-100"));
     SensorRegistry registry(config.lines, StatusRules());
     Journal journal;
@@ -173,6 +176,12 @@ void takeShots(const QString &folder)
     window.select(SiteItem::sensor(0));
     window.findChild<QTabWidget *>(QStringLiteral("infoTabs"))->setCurrentIndex(0);
     shoot(window, folder, QStringLiteral("sensor"));
+    FirstRunDialog firstRun({QStringLiteral("/opt/gorizont/GorizontServer.ini")});
+    firstRun.show();
+    shoot(firstRun, folder, QStringLiteral("first-run"));
+    firstRun.hide();
+    window.close();
+    shoot(*window.findChild<QDialog *>(QStringLiteral("exitQuestion")), folder, QStringLiteral("exit-question"));
 }
 
 void makeDark()

@@ -77,12 +77,14 @@ TableView::Rows TableView::visibleRows() const
 
 void TableView::setColumnSample(int column, const QString &widest)
 {
-    constexpr int margins = 2 * (sideMargin + 1) + 6;
+    constexpr int margins = 2 * (sideMargin + 1);
+    const int sortMark = style()->pixelMetric(QStyle::PM_HeaderMarkSize) + margins;
     const QString heading = model()->headerData(column, Qt::Horizontal).toString();
     const QFont cellFont = model()->index(0, column).data(Qt::FontRole).value<QFont>();
-    const int cell =
+    const int headingWidth = fontMetrics().horizontalAdvance(heading) + (isSortingEnabled() ? sortMark : 0);
+    const int cellWidth =
         std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
-    setColumnWidth(column, std::max(fontMetrics().horizontalAdvance(heading), cell) + margins);
+    setColumnWidth(column, std::max(headingWidth, cellWidth) + margins);
 }
 
 bool TableView::isAtEnd() const
