@@ -79,7 +79,9 @@ Counted run(const Case &which)
             counted.polls += reading.isAnswer ? 1 : 0;
         }
     });
-    QObject::connect(&worker, &LineWorker::lineChanged, &context, [&](const LineStatus &status) { counted.line = status; });
+    QObject::connect(&worker, &LineWorker::lineChanged, &context, [&](const LineStatus &status) {
+        counted.line = status;
+    });
     QTimer::singleShot(duration, qApp, &QCoreApplication::quit);
     thread.start();
     QCoreApplication::exec();

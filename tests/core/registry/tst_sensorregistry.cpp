@@ -1,0 +1,111 @@
+#include "core/registry/journal.h"
+#include "core/registry/sensorregistry.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace gorizont;
+
+namespace {
+
+SensorConfig sensor(int port, int index, int number, bool isOn = true)
+{
+    SensorConfig sensor;
+    sensor.port = port;
+    sensor.index = index;
+    sensor.number = number;
+    sensor.isOn = isOn;
+    sensor.measuresTilt = true;
+    return sensor;
+}
+
+/// Port 1 is on with sensors 5 and 2 (off), port 3 is off with sensor 4.
+QList<LineConfig> lines()
+{
+    LineConfig first;
+    first.index = 1;
+    first.isOn = true;
+    first.sensors = {sensor(1, 1, 5), sensor(1, 2, 2, false)};
+    LineConfig third;
+    third.index = 3;
+    third.sensors = {sensor(3, 1, 4)};
+    return {first, third};
+}
+
+} // namespace
+
+class TestSensorRegistry : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sensorsAscendAndLinesKeepTheOrderOfTheIni()
+    {
+        const SensorRegistry registry(lines(), {});
+        QCOMPARE(registry.sensors().size(), 3u);
+        QCOMPARE(registry.sensors()[0].config.number, 2);
+        QCOMPARE(registry.sensors()[1].config.number, 4);
+        QCOMPARE(registry.sensors()[2].config.number, 5);
+        QCOMPARE(registry.lines()[0].sensors, (std::vector<int>{2, 0}));
+        QCOMPARE(registry.sensors()[1].line, 1);
+        QCOMPARE(registry.indexOf(4), 1);
+        QCOMPARE(registry.indexOf(99), -1);
+        QCOMPARE(registry.lineIndexOf(3), 1);
+        QCOMPARE(registry.lineIndexOf(2), -1);
+    }
+
+    void startsWithTheWordsOfWhatWasNotTriedYet()
+    {
+        const SensorRegistry registry(lines(), {});
+        const Readings readings = registry.readings();
+        QCOMPARE(readings.at(0).status, quint16(0x0F00)); // switched off
+        QCOMPARE(readings.at(1).status, quint16(0x1700)); // its port is off
+        QCOMPARE(readings.at(2).status, quint16(0x0700)); // no answer yet
+        QCOMPARE(registry.lineStatuses().at(0).state, LineState::Opening);
+        QCOMPARE(registry.lineStatuses().at(1).state, LineState::Off);
+    }
+
+    void takesOverBatchesAndPassesThemOn()
+    {
+        SensorRegistry registry(lines(), {});
+        const QSignalSpy changes(&registry, &SensorRegistry::readingsChanged);
+        Reading reading;
+        reading.number = 5;
+        reading.tilt = Tilt{1.5, -2.5};
+        Reading stranger;
+        stranger.number = 77;
+        registry.update({reading, stranger});
+        QCOMPARE(registry.sensors()[2].reading, reading);
+        QCOMPARE(changes.size(), 1); // one signal a batch
+    }
+
+    void takesOverLineStates()
+    {
+        SensorRegistry registry(lines(), {});
+        const QSignalSpy changes(&registry, &SensorRegistry::lineChanged);
+        LineStatus status;
+        status.port = 3;
+        status.state = LineState::Lost;
+        registry.updateLine(status);
+        QCOMPARE(registry.lines()[1].status.state, LineState::Lost);
+        status.port = 9;
+        registry.updateLine(status);
+        QCOMPARE(changes.size(), 1); // nobody hears of a port that is not in the ini
+    }
+
+    void journalKeepsTheNewest()
+    {
+        Journal journal;
+        const QSignalSpy added(&journal, &Journal::added);
+        for (std::size_t i = 0; i < Journal::capacity + 5; ++i) {
+            journal.add(JournalKind::Info, QString::number(i));
+        }
+        QCOMPARE(journal.entries().size(), Journal::capacity);
+        QCOMPARE(journal.entries().front().text, QStringLiteral("5"));
+        QCOMPARE(journal.total(), quint64(Journal::capacity + 5));
+        QCOMPARE(added.size(), static_cast<qsizetype>(Journal::capacity + 5));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSensorRegistry)
+#include "tst_sensorregistry.moc"
