@@ -25,6 +25,126 @@
     </message>
 </context>
 <context>
+    <name>And3Driver</name>
+    <message>
+        <source>The sensor has restarted.</source>
+        <translation>Датчик перезагрузился.</translation>
+    </message>
+    <message>
+        <source>The sensor counts its measurements anew.</source>
+        <translation>Датчик начал отсчёт измерений заново.</translation>
+    </message>
+    <message>
+        <source>The buffer of accelerations overran, packets lost: %1.</source>
+        <translation>Переполнен буфер ускорений, потеряно пакетов: %1.</translation>
+    </message>
+    <message>
+        <source>The recording of accelerations was stopped; it is started again.</source>
+        <translation>Запись ускорений была остановлена; она запущена снова.</translation>
+    </message>
+    <message>
+        <source>Firmware %1.%2, build %3.</source>
+        <translation>Версия ПО %1.%2, сборка %3.</translation>
+    </message>
+    <message>
+        <source>Packets of accelerations do not follow each other.</source>
+        <translation>Пакеты ускорений не следуют друг за другом.</translation>
+    </message>
+</context>
+<context>
+    <name>AppendFile</name>
+    <message>
+        <source>the folder %1 cannot be created</source>
+        <translation>не удаётся создать папку %1</translation>
+    </message>
+</context>
+<context>
+    <name>Ind3Driver</name>
+    <message>
+        <source>The protocol &quot;%1&quot; is not known; 2.11 is used</source>
+        <translation>Протокол «%1» неизвестен; используется 2.11</translation>
+    </message>
+</context>
+<context>
+    <name>Modbus</name>
+    <message>
+        <source>Another program uses this port. Stop that program or choose another IPPort1.</source>
+        <translation>Этот порт занят другой программой. Завершите её или выберите другой IPPort1.</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need a right. Choose another IPPort1, or give the right once: sudo setcap cap_net_bind_service=+ep %1</source>
+        <translation>Для портов ниже 1024 нужно право. Выберите другой IPPort1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %1</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address given in ModbusBind.</source>
+        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
+    </message>
+    <message>
+        <source>Check IPPort1 and ModbusBind.</source>
+        <translation>Проверьте IPPort1 и ModbusBind.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: serving on port %1.</source>
+        <translation>Modbus TCP: сервер работает на порту %1.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: stopped.</source>
+        <translation>Modbus TCP: сервер остановлен.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: cannot serve on port %1 (%2). %3 Trying again every %4 s.</source>
+        <translation>Modbus TCP: порт %1 недоступен (%2). %3 Попытки повторяются каждые %4 с.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: &quot;%1&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
+        <translation>Modbus TCP: «%1» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: &quot;%1&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
+        <translation>Modbus TCP: «%1» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are not served.</source>
+        <translation>Modbus TCP: датчики (%1, первый из них N=%2) не умещаются до регистра 65536 и не передаются.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: new clients cannot be accepted (%1). Those connected are served on. Trying again every second.</source>
+        <translation>Modbus TCP: новые клиенты не принимаются (%1). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: new clients are accepted again.</source>
+        <translation>Modbus TCP: новые клиенты снова принимаются.</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 connected.</source>
+        <translation>Клиент Modbus %1 подключился.</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 has not been here since %2.</source>
+        <translation>Клиента Modbus %1 не было с %2.</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 was refused: ModbusAllow does not list it.</source>
+        <translation>Клиенту Modbus %1 отказано: его нет в ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 was disconnected: it does not speak Modbus TCP (wrong length of a request).</source>
+        <translation>Клиент Modbus %1 отключён: его запросы не по протоколу Modbus TCP (неверная длина).</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 was disconnected: it asks and does not read the answers.</source>
+        <translation>Клиент Modbus %1 отключён: он запрашивает, но не читает ответы.</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 was disconnected: it asked nothing for longer than ModbusIdle.</source>
+        <translation>Клиент Modbus %1 отключён: не было запросов дольше ModbusIdle.</translation>
+    </message>
+    <message>
+        <source>Modbus client %1 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
+        <translation>Клиент Modbus %1 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
+    </message>
+</context>
+<context>
     <name>PortPage</name>
     <message>
         <source>Comment</source>
@@ -144,6 +264,185 @@
     <message>
         <source>CRC errors</source>
         <translation>Ошибок CRC</translation>
+    </message>
+</context>
+<context>
+    <name>ServerConfig</name>
+    <message>
+        <source>%1 is the port of [%2] already.</source>
+        <translation>%1 уже занят секцией [%2].</translation>
+    </message>
+    <message>
+        <source>The port is switched off.</source>
+        <translation>Порт выключен.</translation>
+    </message>
+    <message>
+        <source>Number %1 belongs to sensor %2 of [%3].</source>
+        <translation>Номер %1 уже у датчика %2 секции [%3].</translation>
+    </message>
+    <message>
+        <source>The sensor is listed as number %1.</source>
+        <translation>Датчик показан под номером %1.</translation>
+    </message>
+    <message>
+        <source>The sensor is switched off and listed as number %1.</source>
+        <translation>Датчик выключен и показан под номером %1.</translation>
+    </message>
+    <message>
+        <source>Address %1 is that of sensor %2 on this port already.</source>
+        <translation>Адрес %1 на этом порту уже у датчика %2.</translation>
+    </message>
+    <message>
+        <source>Sensor %1 is switched off.</source>
+        <translation>Датчик %1 выключен.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more.</source>
+        <translation>… и ещё %1.</translation>
+    </message>
+    <message>
+        <source>%1 is not tcp://host:port.</source>
+        <translation>%1 — не tcp://узел:порт.</translation>
+    </message>
+    <message>
+        <source>%1 is no kind of device that is known.</source>
+        <translation>%1 — неизвестный вид устройства.</translation>
+    </message>
+    <message>
+        <source>NumOfPorts is %1, but at most %2 are possible.</source>
+        <translation>NumOfPorts равно %1, но возможно не более %2.</translation>
+    </message>
+    <message>
+        <source>Only the first %1 are used.</source>
+        <translation>Используются только первые %1.</translation>
+    </message>
+    <message>
+        <source>NumOfPorts does not count this section.</source>
+        <translation>NumOfPorts не учитывает эту секцию.</translation>
+    </message>
+    <message>
+        <source>It is ignored.</source>
+        <translation>Она пропущена.</translation>
+    </message>
+    <message>
+        <source>There is no section [%1].</source>
+        <translation>Нет секции [%1].</translation>
+    </message>
+    <message>
+        <source>The port is left out.</source>
+        <translation>Порт пропущен.</translation>
+    </message>
+    <message>
+        <source>%1 is less than %2.</source>
+        <translation>%1 меньше %2.</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2…%3.</source>
+        <translation>%1 вне диапазона %2…%3.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number.</source>
+        <translation>%1 — не целое число.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 — не число.</translation>
+    </message>
+    <message>
+        <source>There is no value.</source>
+        <translation>Нет значения.</translation>
+    </message>
+    <message>
+        <source>%1 is none of %2.</source>
+        <translation>%1 — не одно из: %2.</translation>
+    </message>
+    <message>
+        <source>The default %1 is used.</source>
+        <translation>Используется значение по умолчанию %1.</translation>
+    </message>
+    <message>
+        <source>The sensor is listed under a free number.</source>
+        <translation>Датчик показан под свободным номером.</translation>
+    </message>
+    <message>
+        <source>The sensor is switched off.</source>
+        <translation>Датчик выключен.</translation>
+    </message>
+    <message>
+        <source>The name of sensor %1 says no type of sensor.</source>
+        <translation>В имени датчика %1 не указан тип датчика.</translation>
+    </message>
+    <message>
+        <source>NumOfSensors is %1, but at most %2 are possible.</source>
+        <translation>NumOfSensors равно %1, но возможно не более %2.</translation>
+    </message>
+    <message>
+        <source>NumOfSensors is %1, but these have neither adr nor Name: %2.</source>
+        <translation>NumOfSensors равно %1, но нет ни adr, ни Name у датчиков: %2.</translation>
+    </message>
+    <message>
+        <source>They are left out.</source>
+        <translation>Они пропущены.</translation>
+    </message>
+    <message>
+        <source>NumOfSensors is %1, but %2 more are listed.</source>
+        <translation>NumOfSensors равно %1, но описано ещё %2.</translation>
+    </message>
+    <message>
+        <source>They are ignored.</source>
+        <translation>Они пропущены.</translation>
+    </message>
+    <message>
+        <source>CanOPCDA=1 allows one copy of the program only.</source>
+        <translation>CanOPCDA=1 допускает только одну копию программы.</translation>
+    </message>
+    <message>
+        <source>CanCopy=0 is used.</source>
+        <translation>Используется CanCopy=0.</translation>
+    </message>
+    <message>
+        <source>The defaults of all its settings are used.</source>
+        <translation>Для всех её настроек используются значения по умолчанию.</translation>
+    </message>
+    <message>
+        <source>The file has no sections.</source>
+        <translation>В файле нет секций.</translation>
+    </message>
+    <message>
+        <source>The defaults of all settings are used, nothing is polled.</source>
+        <translation>Для всех настроек используются значения по умолчанию, опроса нет.</translation>
+    </message>
+    <message>
+        <source>There is no section [Common].</source>
+        <translation>Нет секции [Common].</translation>
+    </message>
+    <message>
+        <source>The line stands before the first section.</source>
+        <translation>Строка стоит до первой секции.</translation>
+    </message>
+    <message>
+        <source>All settings before the first section are ignored.</source>
+        <translation>Все настройки до первой секции пропущены.</translation>
+    </message>
+    <message>
+        <source>The section begins in line %1 already.</source>
+        <translation>Секция уже начата в строке %1.</translation>
+    </message>
+    <message>
+        <source>Of a key in both, the first one counts.</source>
+        <translation>Из одинаковых ключей действует первый.</translation>
+    </message>
+    <message>
+        <source>The key stands in line %1 already.</source>
+        <translation>Ключ уже есть в строке %1.</translation>
+    </message>
+    <message>
+        <source>The first one counts.</source>
+        <translation>Действует первый.</translation>
     </message>
 </context>
 <context>
@@ -420,58 +719,6 @@
         <translation>Сервисный режим, опрос приостановлен</translation>
     </message>
     <message>
-        <source>No errors</source>
-        <translation>Нет ошибок</translation>
-    </message>
-    <message>
-        <source>The port is off</source>
-        <translation>COM-порт отключен</translation>
-    </message>
-    <message>
-        <source>Port error</source>
-        <translation>Ошибка COM-порта</translation>
-    </message>
-    <message>
-        <source>No answer</source>
-        <translation>Датчик не отвечает</translation>
-    </message>
-    <message>
-        <source>CRC errors</source>
-        <translation>Ошибки CRC при чтении из датчика</translation>
-    </message>
-    <message>
-        <source>The transducer does not answer</source>
-        <translation>Первичный преобразователь не отвечает</translation>
-    </message>
-    <message>
-        <source>CRC errors of the transducer</source>
-        <translation>Ошибки CRC первичного преобразователя</translation>
-    </message>
-    <message>
-        <source>The transducer is out of range</source>
-        <translation>Ошибка диапазона первичного преобразователя</translation>
-    </message>
-    <message>
-        <source>The temperature sensor does not work</source>
-        <translation>Не работает датчик температуры</translation>
-    </message>
-    <message>
-        <source>The temperature sensor is out of range</source>
-        <translation>Ошибка диапазона датчика температуры</translation>
-    </message>
-    <message>
-        <source>The fan does not work</source>
-        <translation>Не работает вентилятор</translation>
-    </message>
-    <message>
-        <source>The thermostat takes too long to settle</source>
-        <translation>Термостат слишком долго выходит на режим</translation>
-    </message>
-    <message>
-        <source>Unknown error</source>
-        <translation>Неизвестная ошибка</translation>
-    </message>
-    <message>
         <source>Unknown type of sensor, not polled</source>
         <translation>Неизвестный тип датчика, не опрашивается</translation>
     </message>
@@ -536,16 +783,39 @@
         <translation>выключено: %1</translation>
     </message>
     <message>
-        <source>(line %1)</source>
-        <translation>(строка %1)</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>да</translation>
     </message>
     <message>
         <source>no</source>
         <translation>нет</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Application</name>
+    <message>
+        <source>Gorizont Server %1 started</source>
+        <translation>Gorizont Server %1 запущен</translation>
+    </message>
+    <message>
+        <source>Another copy of the program writes into %1: this copy does not save. Give it a folder of its own.</source>
+        <translation>В %1 пишет другая копия программы: эта копия не сохраняет. Задайте ей отдельную папку.</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: port %1</source>
+        <translation>Modbus TCP: порт %1</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: port %1 cannot be used</source>
+        <translation>Modbus TCP: порт %1 недоступен</translation>
+    </message>
+    <message>
+        <source>Modbus TCP: off</source>
+        <translation>Modbus TCP: выключен</translation>
+    </message>
+    <message>
+        <source>Gorizont Server ended</source>
+        <translation>Gorizont Server завершён</translation>
     </message>
 </context>
 <context>
@@ -584,6 +854,13 @@
     <message>
         <source>Close</source>
         <translation>Закрыть</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ConfigFile</name>
+    <message>
+        <source>the file is far too large to be a configuration</source>
+        <translation>файл слишком велик для файла настроек</translation>
     </message>
 </context>
 <context>
@@ -634,6 +911,36 @@
     </message>
 </context>
 <context>
+    <name>gorizont::HistoryFiles</name>
+    <message>
+        <source>The history is being saved again.</source>
+        <translation>Запись истории возобновлена.</translation>
+    </message>
+    <message>
+        <source>The history is not being saved: %1. It is tried again every few seconds.</source>
+        <translation>История не сохраняется: %1. Попытки повторяются каждые несколько секунд.</translation>
+    </message>
+    <message>
+        <source>%1 did not end with a whole record; what was unfinished has been removed.</source>
+        <translation>%1 заканчивался неполной записью; неполная часть удалена.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::HistoryWriter</name>
+    <message>
+        <source>The clock of the computer was set forward by %1 s.</source>
+        <translation>Часы компьютера переведены вперёд на %1 с.</translation>
+    </message>
+    <message>
+        <source>The clock of the computer was set back by %1 s.</source>
+        <translation>Часы компьютера переведены назад на %1 с.</translation>
+    </message>
+    <message>
+        <source>The disk was busy for too long: %1 samples and %2 events were not saved.</source>
+        <translation>Диск был занят слишком долго: не сохранено отсчётов: %1, событий: %2.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::InfoPanel</name>
     <message>
         <source>Settings</source>
@@ -665,6 +972,44 @@
     <message>
         <source>Information</source>
         <translation>Информация</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::LineWorker</name>
+    <message>
+        <source>%1: polling suspended for service</source>
+        <translation>%1: опрос приостановлен для настройки</translation>
+    </message>
+    <message>
+        <source>%1: service ended, polling goes on</source>
+        <translation>%1: настройка завершена, опрос продолжен</translation>
+    </message>
+    <message>
+        <source>%1 is open</source>
+        <translation>%1 открыт</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened (%2). Check the adapter and its port number; the program keeps trying.</source>
+        <translation>%1 не открывается (%2). Проверьте адаптер и номер порта; программа повторяет попытки.</translation>
+    </message>
+    <message>
+        <source>%1 is gone (%2). Check the adapter and its cable; the program opens the port again as soon as it can.</source>
+        <translation>%1 пропал (%2). Проверьте адаптер и его кабель; программа откроет порт, как только это станет возможно.</translation>
+    </message>
+    <message>
+        <source>%1 works normally again</source>
+        <translation>%1 снова работает нормально</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Main</name>
+    <message>
+        <source>Gorizont Server already works with the folder %1. Close that copy, or give this one a folder of its own with --data.</source>
+        <translation>Gorizont Server уже работает с папкой %1. Закройте ту копию или задайте этой отдельную папку ключом --data.</translation>
+    </message>
+    <message>
+        <source>There is no GorizontServer.ini. Name one with --config, or look at the program with --demo.</source>
+        <translation>Нет файла GorizontServer.ini. Укажите его ключом --config или посмотрите программу с ключом --demo.</translation>
     </message>
 </context>
 <context>
@@ -767,6 +1112,61 @@
     <message>
         <source>%1: status</source>
         <translation>%1: статус</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Options</name>
+    <message>
+        <source>The configuration, GorizontServer.ini.</source>
+        <translation>Файл настроек GorizontServer.ini.</translation>
+    </message>
+    <message>
+        <source>Where History goes; default: the folder of the ini.</source>
+        <translation>Папка для History; по умолчанию — папка файла настроек.</translation>
+    </message>
+    <message>
+        <source>Port number n is opened as DIR/COMn.</source>
+        <translation>Порт с номером n открывается как DIR/COMn.</translation>
+    </message>
+    <message>
+        <source>No window; ends on SIGINT or SIGTERM.</source>
+        <translation>Без окна; завершается по SIGINT или SIGTERM.</translation>
+    </message>
+    <message>
+        <source>A simulated building, no files to prepare.</source>
+        <translation>Имитация здания, файлы готовить не нужно.</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Язык программы.</translation>
+    </message>
+    <message>
+        <source>Prints each new reading as one line of JSON.</source>
+        <translation>Печатать каждое новое показание строкой JSON.</translation>
+    </message>
+    <message>
+        <source>Prints this.</source>
+        <translation>Показать эту справку.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Показать версию.</translation>
+    </message>
+    <message>
+        <source>Polls inclinometers and accelerometers, shows, saves and serves their readings.</source>
+        <translation>Опрашивает инклинометры и акселерометры, показывает, сохраняет и передаёт их показания.</translation>
+    </message>
+    <message>
+        <source>Unexpected argument: %1</source>
+        <translation>Лишний аргумент: %1</translation>
+    </message>
+    <message>
+        <source>--lang takes ru or en, not %1</source>
+        <translation>--lang принимает ru или en, а не %1</translation>
+    </message>
+    <message>
+        <source>--demo brings its own configuration; leave --config away</source>
+        <translation>--demo использует свои настройки; уберите --config</translation>
     </message>
 </context>
 <context>
@@ -899,6 +1299,49 @@
     </message>
 </context>
 <context>
+    <name>gorizont::Simulator</name>
+    <message>
+        <source>Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn.
+
+Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
+  silent=N     the sensor with site number N does not answer
+  crc=P        P % of the answers have a wrong byte
+  garbage=P    P % of the answers come after garbage
+  pieces=P     P % of the answers come in pieces
+  late=P       P % of the answers come 1.5 s late
+  reboot=N     the sensor N restarts, once at FROM
+  overrun=N    the ring of the sensor N is overwritten, once at FROM
+  gone=n:S     the port COMn is gone for S seconds, once at FROM</source>
+        <translation>Имитирует датчики файла настроек: каждый порт становится псевдотерминалом со ссылкой DIR/COMn.
+
+Неисправности, каждая KIND=VALUE[@FROM[-TO]], время в секундах от запуска:
+  silent=N     датчик с номером N на объекте не отвечает
+  crc=P        P % ответов с неверным байтом
+  garbage=P    P % ответов приходят после мусора
+  pieces=P     P % ответов приходят по частям
+  late=P       P % ответов опаздывают на 1,5 с
+  reboot=N     датчик N перезагружается один раз в момент FROM
+  overrun=N    буфер датчика N перезаписывается один раз в момент FROM
+  gone=n:S     порт COMn пропадает на S секунд один раз в момент FROM</translation>
+    </message>
+    <message>
+        <source>The ini that lists the sensors.</source>
+        <translation>Файл настроек со списком датчиков.</translation>
+    </message>
+    <message>
+        <source>Folder for the links COMn.</source>
+        <translation>Папка для ссылок COMn.</translation>
+    </message>
+    <message>
+        <source>Another building.</source>
+        <translation>Другое здание.</translation>
+    </message>
+    <message>
+        <source>Something that goes wrong.</source>
+        <translation>Неисправность.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::SiteTree</name>
     <message>
         <source>Find a sensor (Ctrl+F)</source>
@@ -910,6 +1353,17 @@
     <message>
         <source>Server</source>
         <translation>Сервер</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Startup</name>
+    <message>
+        <source>%1 cannot be read (%2). Check the name and the rights of the file.</source>
+        <translation>Не удаётся прочитать %1 (%2). Проверьте имя и права доступа к файлу.</translation>
+    </message>
+    <message>
+        <source>The folder %1 for the data cannot be made. Choose another one with --data.</source>
+        <translation>Не удаётся создать папку данных %1. Задайте другую ключом --data.</translation>
     </message>
 </context>
 <context>
@@ -929,6 +1383,65 @@
     <message>
         <source>Sensor</source>
         <translation>Датчик</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StatusText</name>
+    <message>
+        <source>%1 No. %2 (%3, address %4)</source>
+        <translation>%1 № %2 (%3, адрес %4)</translation>
+    </message>
+    <message>
+        <source>No errors</source>
+        <translation>Нет ошибок</translation>
+    </message>
+    <message>
+        <source>The port is off</source>
+        <translation>Порт выключен</translation>
+    </message>
+    <message>
+        <source>Port error</source>
+        <translation>Ошибка порта</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>Не отвечает</translation>
+    </message>
+    <message>
+        <source>CRC errors</source>
+        <translation>Ошибки CRC</translation>
+    </message>
+    <message>
+        <source>The transducer does not answer</source>
+        <translation>Первичный преобразователь не отвечает</translation>
+    </message>
+    <message>
+        <source>CRC errors of the transducer</source>
+        <translation>Ошибки CRC первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>The transducer is out of range</source>
+        <translation>Первичный преобразователь вне диапазона</translation>
+    </message>
+    <message>
+        <source>The temperature sensor does not work</source>
+        <translation>Не работает датчик температуры</translation>
+    </message>
+    <message>
+        <source>The temperature sensor is out of range</source>
+        <translation>Датчик температуры вне диапазона</translation>
+    </message>
+    <message>
+        <source>The fan does not work</source>
+        <translation>Не работает вентилятор</translation>
+    </message>
+    <message>
+        <source>The thermostat takes too long to settle</source>
+        <translation>Время установления температуры термостата превысило допустимое</translation>
+    </message>
+    <message>
+        <source>Unknown error</source>
+        <translation>Неизвестная ошибка</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,5 @@
 #include "ui/complaintsdialog.h"
 
-#include "ui/models/statetext.h"
-
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
@@ -20,7 +18,7 @@ ComplaintsDialog::ComplaintsDialog(const QList<Complaint> &complaints, QWidget *
     setAttribute(Qt::WA_DeleteOnClose);
     QStringList lines;
     for (const Complaint &complaint : complaints) {
-        lines += statetext::complaint(complaint);
+        lines += complaint.text();
     }
     auto *heading = new QLabel(
         tr("%n entry(ies) of the configuration file cannot be used as they are. The program works without them.",

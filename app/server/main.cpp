@@ -18,10 +18,10 @@ using namespace gorizont;
 
 namespace {
 
-QString tr(const char *text)
+class Main
 {
-    return QCoreApplication::translate("gorizont::Main", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(gorizont::Main)
+};
 
 /// Whether \a arguments ask for something that needs no window; known before anything is parsed.
 bool needsNoWindow(int argc, char **argv)
@@ -114,11 +114,9 @@ int giveWay(const SingleInstance &instance, const Site &site, const Options &opt
         return ExitSecondCopy;
     }
     return fail(
-        tr(QT_TRANSLATE_NOOP(
-               "gorizont::Main",
-               "Gorizont Server already works with the folder %1. Close that copy, or give this one a folder of its "
-               "own "
-               "with --data."))
+        Main::tr("Gorizont Server already works with the folder %1. Close that copy, or give this one a folder of its "
+                 "own "
+                 "with --data.")
             .arg(site.dataFolder),
         options, ExitSecondCopy);
 }
@@ -153,10 +151,8 @@ int run(Options options)
     if (configFile.isEmpty()) {
         if (options.isHeadless) {
             return fail(
-                tr(QT_TRANSLATE_NOOP(
-                    "gorizont::Main",
-                    "There is no GorizontServer.ini. Name one with --config, or look at the program "
-                    "with --demo.")),
+                Main::tr("There is no GorizontServer.ini. Name one with --config, or look at the program "
+                         "with --demo."),
                 options);
         }
         if (!chooseSite(options, &configFile)) {

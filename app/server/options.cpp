@@ -7,44 +7,42 @@ namespace gorizont {
 
 namespace {
 
-QString tr(const char *text)
+class OptionsText
 {
-    return QCoreApplication::translate("gorizont::Options", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(gorizont::Options)
+};
 
 void addOptions(QCommandLineParser &parser)
 {
     using Qt::Literals::StringLiterals::operator""_s;
-    parser.setApplicationDescription(tr(QT_TRANSLATE_NOOP(
-        "gorizont::Options", "Polls inclinometers and accelerometers, shows, saves and serves their readings.")));
-    const auto add = [&parser](const QString &name, const char *text, const QString &value = {}) {
-        parser.addOption(QCommandLineOption(name, tr(text), value));
+    parser.setApplicationDescription(
+        OptionsText::tr("Polls inclinometers and accelerometers, shows, saves and serves their readings."));
+    const auto add = [&parser](const QString &name, const QString &text, const QString &value = {}) {
+        parser.addOption(QCommandLineOption(name, text, value));
     };
-    add(u"config"_s, QT_TRANSLATE_NOOP("gorizont::Options", "The configuration, GorizontServer.ini."), u"FILE"_s);
-    add(u"data"_s, QT_TRANSLATE_NOOP("gorizont::Options", "Where History goes; default: the folder of the ini."),
-        u"DIR"_s);
-    add(u"ports"_s, QT_TRANSLATE_NOOP("gorizont::Options", "Port number n is opened as DIR/COMn."), u"DIR"_s);
-    add(u"headless"_s, QT_TRANSLATE_NOOP("gorizont::Options", "No window; ends on SIGINT or SIGTERM."));
-    add(u"demo"_s, QT_TRANSLATE_NOOP("gorizont::Options", "A simulated building, no files to prepare."));
-    add(u"lang"_s, QT_TRANSLATE_NOOP("gorizont::Options", "Language of the program."), u"ru|en"_s);
-    add(u"print-readings"_s, QT_TRANSLATE_NOOP("gorizont::Options", "Prints each new reading as one line of JSON."));
-    add(u"help"_s, QT_TRANSLATE_NOOP("gorizont::Options", "Prints this."));
-    add(u"version"_s, QT_TRANSLATE_NOOP("gorizont::Options", "Prints the version."));
+    add(u"config"_s, OptionsText::tr("The configuration, GorizontServer.ini."), u"FILE"_s);
+    add(u"data"_s, OptionsText::tr("Where History goes; default: the folder of the ini."), u"DIR"_s);
+    add(u"ports"_s, OptionsText::tr("Port number n is opened as DIR/COMn."), u"DIR"_s);
+    add(u"headless"_s, OptionsText::tr("No window; ends on SIGINT or SIGTERM."));
+    add(u"demo"_s, OptionsText::tr("A simulated building, no files to prepare."));
+    add(u"lang"_s, OptionsText::tr("Language of the program."), u"ru|en"_s);
+    add(u"print-readings"_s, OptionsText::tr("Prints each new reading as one line of JSON."));
+    add(u"help"_s, OptionsText::tr("Prints this."));
+    add(u"version"_s, OptionsText::tr("Prints the version."));
 }
 
 /// A sentence for the first thing that cannot be; empty when all is well.
 QString usageProblem(const QCommandLineParser &parser)
 {
     if (!parser.positionalArguments().isEmpty()) {
-        return tr(QT_TRANSLATE_NOOP("gorizont::Options", "Unexpected argument: %1"))
-            .arg(parser.positionalArguments().constFirst());
+        return OptionsText::tr("Unexpected argument: %1").arg(parser.positionalArguments().constFirst());
     }
     const QString language = parser.value(QStringLiteral("lang"));
     if (parser.isSet(QStringLiteral("lang")) && language != QStringLiteral("ru") && language != QStringLiteral("en")) {
-        return tr(QT_TRANSLATE_NOOP("gorizont::Options", "--lang takes ru or en, not %1")).arg(language);
+        return OptionsText::tr("--lang takes ru or en, not %1").arg(language);
     }
     if (parser.isSet(QStringLiteral("demo")) && parser.isSet(QStringLiteral("config"))) {
-        return tr(QT_TRANSLATE_NOOP("gorizont::Options", "--demo brings its own configuration; leave --config away"));
+        return OptionsText::tr("--demo brings its own configuration; leave --config away");
     }
     return {};
 }

@@ -14,10 +14,10 @@ namespace {
 const QString fileName = QStringLiteral("GorizontServer.ini");
 const QString demoFile = QStringLiteral(":/demo.ini");
 
-QString tr(const char *text)
+class Startup
 {
-    return QCoreApplication::translate("gorizont::Startup", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(gorizont::Startup)
+};
 
 /// --data, else the folder of the ini; the demonstration has one of its own.
 QString dataFolder(const Options &options, const QString &configFile)
@@ -58,8 +58,7 @@ std::optional<Site> loadSite(const Options &options, const QString &configFile, 
     QString why;
     auto reading = readConfigFile(configFile, &why);
     if (!reading) {
-        *problem = tr(QT_TRANSLATE_NOOP(
-                          "gorizont::Startup", "%1 cannot be read (%2). Check the name and the rights of the file."))
+        *problem = Startup::tr("%1 cannot be read (%2). Check the name and the rights of the file.")
                        .arg(QDir::toNativeSeparators(configFile), why);
         return std::nullopt;
     }
@@ -67,10 +66,8 @@ std::optional<Site> loadSite(const Options &options, const QString &configFile, 
     site.configFile = options.isDemo ? configFile : QFileInfo(configFile).absoluteFilePath();
     const QString folder = dataFolder(options, configFile);
     if (!QDir().mkpath(folder)) {
-        *problem =
-            tr(QT_TRANSLATE_NOOP(
-                   "gorizont::Startup", "The folder %1 for the data cannot be made. Choose another one with --data."))
-                .arg(QDir::toNativeSeparators(folder));
+        *problem = Startup::tr("The folder %1 for the data cannot be made. Choose another one with --data.")
+                       .arg(QDir::toNativeSeparators(folder));
         return std::nullopt;
     }
     site.dataFolder = QFileInfo(folder).absoluteFilePath();

@@ -337,8 +337,12 @@ void LineWorker::tellStatusChange(const PolledSensor &sensor, quint16 before)
     if (was == is) {
         return;
     }
-    const QString text = QStringLiteral("%1: %2").arg(sensorTitle(sensor.config(), m_settings.line), statusText(is));
-    tell(is == StatusCode::Good ? JournalKind::On : JournalKind::Error, text, sensor.config().number);
+    const QString title = sensorTitle(sensor.config(), m_settings.line);
+    if (is == StatusCode::Good) {
+        tell(JournalKind::On, tr("%1 works normally again").arg(title), sensor.config().number);
+    } else {
+        tell(JournalKind::Error, QStringLiteral("%1: %2").arg(title, statusText(is)), sensor.config().number);
+    }
 }
 
 void LineWorker::passNotes(PolledSensor &sensor)

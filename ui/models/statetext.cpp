@@ -1,5 +1,7 @@
 #include "ui/models/statetext.h"
 
+#include "core/values/statustext.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -57,25 +59,6 @@ QString line(LineState state)
     return {};
 }
 
-QString code(StatusCode code)
-{
-    switch (code) {
-    case StatusCode::Good: return State::tr("No errors");
-    case StatusCode::PortOff: return State::tr("The port is off");
-    case StatusCode::PortError: return State::tr("Port error");
-    case StatusCode::NoAnswer: return State::tr("No answer");
-    case StatusCode::CrcErrors: return State::tr("CRC errors");
-    case StatusCode::TransducerSilent: return State::tr("The transducer does not answer");
-    case StatusCode::TransducerCrc: return State::tr("CRC errors of the transducer");
-    case StatusCode::TransducerRange: return State::tr("The transducer is out of range");
-    case StatusCode::TemperatureSensor: return State::tr("The temperature sensor does not work");
-    case StatusCode::TemperatureRange: return State::tr("The temperature sensor is out of range");
-    case StatusCode::Fan: return State::tr("The fan does not work");
-    case StatusCode::Thermostat: return State::tr("The thermostat takes too long to settle");
-    }
-    return State::tr("Unknown error");
-}
-
 QString sensor(const SensorRegistry::Sensor &sensor, LineState line)
 {
     const quint16 status = sensor.reading.status;
@@ -94,7 +77,7 @@ QString sensor(const SensorRegistry::Sensor &sensor, LineState line)
     case Health::Off:
     case Health::Error: break;
     }
-    return code(statusCode(status));
+    return statusText(statusCode(status));
 }
 
 QString health(Health health)
@@ -132,22 +115,6 @@ QString counts(const HealthCounts &counts)
     add(QT_TRANSLATE_NOOP("State", "in service: %1"), counts[Health::Service]);
     add(QT_TRANSLATE_NOOP("State", "off: %1"), counts[Health::Off]);
     return parts.join(QStringLiteral(", "));
-}
-
-QString complaint(const Complaint &complaint)
-{
-    QStringList where;
-    if (!complaint.section.isEmpty()) {
-        where += QStringLiteral("[%1]").arg(complaint.section);
-    }
-    if (!complaint.key.isEmpty()) {
-        where += complaint.key;
-    }
-    if (complaint.line > 0) {
-        where += State::tr("(line %1)").arg(complaint.line);
-    }
-    const QString place = where.join(u' ');
-    return (place.isEmpty() ? QString() : place + QStringLiteral(": ")) + complaint.problem + u' ' + complaint.action;
 }
 
 QString yesNo(bool isYes)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/config/serverconfig.h"
 #include "core/registry/sensorregistry.h"
 #include "ui/models/health.h"
 
@@ -13,7 +12,6 @@ namespace statetext {
 
 QString line(LineState state);
 QString sensor(const SensorRegistry::Sensor &sensor, LineState line);
-QString code(StatusCode code);
 QString health(Health health);
 
 /// `1 АН-Д3 [place] [address]`: the name of a sensor in the tree and in tables. Without a place its brackets are left
@@ -21,7 +19,6 @@ QString health(Health health);
 QString sensorTitle(const SensorConfig &sensor);
 
 QString counts(const HealthCounts &counts); ///< one line for the status bar and the tray
-QString complaint(const Complaint &complaint); ///< one line for the dialog
 QString yesNo(bool isYes);
 
 } // namespace statetext
