@@ -54,10 +54,12 @@ LineWorkerSettings settings(const Case &which)
     return settings;
 }
 
+/// What had happened when the line last told its counters, which it does at the end of a cycle.
 struct Counted
 {
     qint64 polls = 0;
     LineStatus line;
+    double seconds = 0; ///< since the line was opened
 };
 
 Counted run(const Case &which)
@@ -72,15 +74,18 @@ Counted run(const Case &which)
     worker.moveToThread(&thread);
     QObject context;
     Counted counted;
+    qint64 polls = 0;
     QObject::connect(&thread, &QThread::started, &worker, &LineWorker::start);
     QObject::connect(&thread, &QThread::finished, &worker, &LineWorker::stop, Qt::DirectConnection);
     QObject::connect(&worker, &LineWorker::readingsReady, &context, [&](const Readings &batch) {
         for (const Reading &reading : batch) {
-            counted.polls += reading.isAnswer ? 1 : 0;
+            polls += reading.isAnswer ? 1 : 0;
         }
     });
     QObject::connect(&worker, &LineWorker::lineChanged, &context, [&](const LineStatus &status) {
-        counted.line = status;
+        const auto open =
+            status.openedAt ? std::chrono::steady_clock::now() - *status.openedAt : SteadyTime::duration(0);
+        counted = {polls, status, std::chrono::duration<double>(open).count()};
     });
     QTimer::singleShot(duration, qApp, &QCoreApplication::quit);
     thread.start();
@@ -103,10 +108,10 @@ int main(int argc, char **argv)
         const double exchanges = static_cast<double>(counted.line.bytesSent) / which.requestBytes;
         const double wire = bytes * 10 / which.baudRate;
         const double silence = exchanges * std::chrono::duration<double>(which.silence).count();
-        const double seconds = std::chrono::duration<double>(duration).count();
         std::printf(
-            "%-16s %7.1f polls/s, limit %7.1f, ratio %.3f\n", which.title, static_cast<double>(counted.polls) / seconds,
-            static_cast<double>(counted.polls) / (wire + silence), (wire + silence) / seconds);
+            "%-16s %7.1f polls/s, limit %7.1f, ratio %.3f\n", which.title,
+            static_cast<double>(counted.polls) / counted.seconds, static_cast<double>(counted.polls) / (wire + silence),
+            (wire + silence) / counted.seconds);
     }
     return 0;
 }

@@ -29,7 +29,7 @@ private Q_SLOTS:
         const Complaint inFile{{}, {}, 0, QStringLiteral("The file is empty."), QStringLiteral("Defaults are used.")};
         ComplaintsDialog dialog({inKey, inFile});
         const QStringList lines{
-            QStringLiteral("[Port1] adr2 (line 34): 300 is no address. The sensor is off."),
+            QStringLiteral("[Port1] adr2, line 34: 300 is no address. The sensor is off."),
             QStringLiteral("The file is empty. Defaults are used.")};
         const auto *text = dialog.findChild<QPlainTextEdit *>(QStringLiteral("complaintsText"));
         QCOMPARE(text->toPlainText(), lines.join(QStringLiteral("\n\n")));
