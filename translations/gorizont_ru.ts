@@ -1299,6 +1299,13 @@
     </message>
 </context>
 <context>
+    <name>gorizont::SerialLine</name>
+    <message>
+        <source>there is no such device</source>
+        <translation>нет такого устройства</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Simulator</name>
     <message>
         <source>Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn.

@@ -1,5 +1,6 @@
 #include "core/line/serialline.h"
 
+#include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QFile>
 
@@ -123,9 +124,7 @@ Result<QByteArray> SerialLine::readSome(std::chrono::microseconds timeout)
     const QByteArray bytes = m_port.readAll();
     // A zero-length read of a vanished device is silent in later Qt versions; its node is not.
     if (bytes.isEmpty() && wait.count() > 0 && !isNodePresent()) {
-        setLastError(QSerialPort::ResourceError, QStringLiteral("the device is gone"));
-        m_port.close();
-        return Fault::Closed;
+        return closeBroken();
     }
     return bytes;
 }
@@ -145,9 +144,15 @@ bool SerialLine::hasFailed() const
     return m_port.error() != QSerialPort::NoError && m_port.error() != QSerialPort::TimeoutError;
 }
 
+/// What the system says of a device that was pulled out helps nobody ("inappropriate ioctl").
 Fault SerialLine::closeBroken()
 {
-    setLastError(m_port.error(), m_port.errorString());
+    if (isNodePresent()) {
+        setLastError(m_port.error(), m_port.errorString());
+    } else {
+        setLastError(
+            QSerialPort::ResourceError, QCoreApplication::translate("gorizont::SerialLine", "there is no such device"));
+    }
     m_port.close();
     return Fault::Closed;
 }
