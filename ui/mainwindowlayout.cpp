@@ -116,8 +116,8 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::restoreLayout()
 {
-    resize(1280, 800);
-    m_columns->setSizes({280, 1000});
+    resize(1340, 800);
+    m_columns->setSizes({340, 1000});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

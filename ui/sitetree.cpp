@@ -22,6 +22,7 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     m_view->setModel(m_model);
     m_view->setHeaderHidden(true);
     m_view->setUniformRowHeights(true);
+    m_view->setTextElideMode(Qt::ElideMiddle); // number and address at the ends tell sensors apart
     m_view->setIconSize(icons::treeSize());
     m_view->setIndentation(16);
     m_view->setFrameShape(QFrame::NoFrame);

@@ -7,6 +7,7 @@
 
 #include <QDeadlineTimer>
 #include <QDir>
+#include <QTimer>
 
 namespace gorizont {
 
@@ -125,7 +126,12 @@ void Application::start()
     tellComplaints();
     m_serversThread.start();
     m_printerThread.start();
-    m_acquisition.start();
+    // TmStart: files and servers get ready before the first reading.
+    QTimer::singleShot(m_settings.config.timing.start, this, [this] {
+        if (m_isRunning) {
+            m_acquisition.start();
+        }
+    });
 }
 
 void Application::tellComplaints()

@@ -44,6 +44,7 @@ BuildingMotion::BuildingMotion(quint64 seed, int number)
     , m_number(number)
 {
     const quint64 own = mix(seed) ^ (static_cast<quint64>(number) << 32);
+    m_height = 0.3 + 0.7 * uniform(own + 40);
     for (int axis = 0; axis < 2; ++axis) {
         const auto salt = static_cast<quint64>(axis);
         m_frequency[axis] = 0.25 + 0.15 * static_cast<double>(axis) + 0.1 * uniform(seed + salt);
@@ -61,7 +62,7 @@ double BuildingMotion::sway(Time at, int axis) const
     const double since = t - gust * gustPeriod;
     const double strength = 0.3 + 0.7 * uniform(m_seed ^ (static_cast<quint64>(gust) * 4 + static_cast<quint64>(axis)));
     const double omega = tau * m_frequency[axis];
-    return strength * std::exp(-damping * omega * since) * std::sin(omega * since + m_phase[axis]);
+    return m_height * strength * std::exp(-damping * omega * since) * std::sin(omega * since + m_phase[axis]);
 }
 
 /// Roughly normal with a deviation of 1: the sum of four uniforms, one draw a millisecond and channel.

@@ -30,6 +30,7 @@ private:
 
     quint64 m_seed;
     int m_number;
+    double m_height; ///< of the sensor, share of the building: how much of the sway it feels
     double m_frequency[2]; ///< Hz
     double m_phase[2]; ///< radians
     double m_offset[2]; ///< arc-seconds

@@ -1,4 +1,5 @@
 """The main job on the manual's own configuration: poll, print, save, serve; compared value by value."""
+import ctypes
 import re
 import shutil
 import subprocess
@@ -13,6 +14,26 @@ ACCELERATION_NUMBERS = [1, 2, 11, 12]
 DATA_LINE = re.compile(
     r"\d\d:\d\d:\d\d \d\d\.\d\d\.\d\d\t[0-3]{4,16}"
     r"(\t *-?\d+\.\d\t *-?\d+\.\d\t( *-?\d+\.\d\d)?\t *\d+\.\d\t[ \d]\d [01]{4} [01]{4} [01]{4}){8}\r\n")
+
+
+class LibModbus:
+    """The C library of that name, through its plain interface."""
+
+    def __init__(self, port):
+        self.library = ctypes.CDLL("libmodbus.so.5")
+        self.library.modbus_new_tcp.restype = ctypes.c_void_p
+        self.context = ctypes.c_void_p(self.library.modbus_new_tcp(b"127.0.0.1", port))
+        assert self.library.modbus_connect(self.context) == 0
+
+    def read(self, unit, start, count):
+        registers = (ctypes.c_uint16 * count)()
+        self.library.modbus_set_slave(self.context, unit)
+        assert self.library.modbus_read_input_registers(self.context, start, count, registers) == count
+        return b"".join(value.to_bytes(2, "big") for value in registers)
+
+    def close(self):
+        self.library.modbus_close(self.context)
+        self.library.modbus_free(self.context)
 
 
 def close(served, printed, step):
@@ -58,9 +79,9 @@ class Annex(unittest.TestCase):
                     problems.append(f"{number}: {(x, y, t, status)} against {reading}")
             return problems
 
-        client = ModbusClient(self.port)
-        self.assertEqual(self.matching(lambda: read_tilt(client, 8), agrees), [])
-        client.close()
+        for client in (ModbusClient(self.port), LibModbus(self.port)):
+            self.assertEqual(self.matching(lambda: read_tilt(client, 8), agrees), [])
+            client.close()
 
     def test_unit_6_agrees_with_the_printed_readings(self):
         def agrees(served, printed):
@@ -73,11 +94,11 @@ class Annex(unittest.TestCase):
                     problems.append(f"{number}: {(maximum, direction, x, y, status)} against {reading}")
             return problems
 
-        client = ModbusClient(self.port)
-        self.assertEqual(self.matching(lambda: read_acceleration(client, 4), agrees), [])
-        client.close()
+        for client in (ModbusClient(self.port), LibModbus(self.port)):
+            self.assertEqual(self.matching(lambda: read_acceleration(client, 4), agrees), [])
+            client.close()
 
-    def test_foreign_clients_read_the_same_registers(self):
+    def test_mbpoll_reads_the_same_registers(self):
         client = ModbusClient(self.port)
         for unit, count in ((3, 2), (6, 2)):
             output = subprocess.run(

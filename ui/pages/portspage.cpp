@@ -45,7 +45,7 @@ PortsPage::PortsPage(const SensorRegistry &registry, QWidget *parent)
     m_view->setModel(order);
     m_view->setSortingEnabled(true);
     m_view->sortByColumn(PortModel::Port, Qt::AscendingOrder);
-    m_view->setColumnSample(PortModel::Port, QStringLiteral("   COM256"));
+    m_view->setColumnSample(PortModel::Port, QStringLiteral("COM256"));
     m_view->setColumnSample(PortModel::Uptime, QStringLiteral("10000:00:00"));
     m_view->setColumnSample(PortModel::Sent, QStringLiteral("1000000000000"));
     m_view->setColumnSample(PortModel::Received, QStringLiteral("1000000000000"));

@@ -20,6 +20,7 @@ SensorsPage::SensorsPage(const SensorRegistry &registry, QWidget *parent)
     , m_view(new TableView(QStringLiteral("sensorsTable"), this))
 {
     m_view->setModel(m_model);
+    m_view->setTextElideMode(Qt::ElideMiddle);
     m_view->setSortingEnabled(true);
     m_view->sortByColumn(SensorModel::Sensor, Qt::AscendingOrder);
     m_view->setColumnSample(SensorModel::Mx, QStringLiteral("-180.000"));

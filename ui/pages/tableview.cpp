@@ -84,7 +84,9 @@ void TableView::setColumnSample(int column, const QString &widest)
     const int headingWidth = fontMetrics().horizontalAdvance(heading) + (isSortingEnabled() ? sortMark : 0);
     const int cellWidth =
         std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
-    setColumnWidth(column, std::max(headingWidth, cellWidth) + margins);
+    const bool hasIcon = !model()->index(0, column).data(Qt::DecorationRole).isNull();
+    const int iconWidth = hasIcon ? style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this) + margins : 0;
+    setColumnWidth(column, std::max(headingWidth, cellWidth + iconWidth) + margins);
 }
 
 bool TableView::isAtEnd() const
