@@ -975,6 +975,13 @@
     </message>
 </context>
 <context>
+    <name>gorizont::LinePoller</name>
+    <message>
+        <source>%1 works normally again</source>
+        <translation>%1 снова работает нормально</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::LineWorker</name>
     <message>
         <source>%1: polling suspended for service</source>
@@ -995,10 +1002,6 @@
     <message>
         <source>%1 is gone (%2). Check the adapter and its cable; the program opens the port again as soon as it can.</source>
         <translation>%1 пропал (%2). Проверьте адаптер и его кабель; программа откроет порт, как только это станет возможно.</translation>
-    </message>
-    <message>
-        <source>%1 works normally again</source>
-        <translation>%1 снова работает нормально</translation>
     </message>
 </context>
 <context>

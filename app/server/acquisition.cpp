@@ -28,7 +28,7 @@ Acquisition::Acquisition(const Settings &settings, SensorRegistry &registry, Jou
         if (!line.isOn) {
             continue;
         }
-        LineWorkerSettings own = settings.common;
+        PollingSettings own = settings.common;
         own.line = line;
         Entry entry;
         entry.port = line.index;

@@ -19,7 +19,7 @@ public:
     struct Settings
     {
         QList<LineConfig> lines;
-        LineWorkerSettings common; ///< its line is replaced by each of the lines
+        PollingSettings common; ///< its line is replaced by each of the lines
         PortNaming ports;
         quint64 seed = 1; ///< of the simulated lines
     };

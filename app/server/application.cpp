@@ -21,7 +21,7 @@ StatusRules statusRules(const ServerConfig &config)
 Acquisition::Settings acquisitionSettings(const ApplicationSettings &settings)
 {
     const ServerConfig &config = settings.config;
-    LineWorkerSettings common;
+    PollingSettings common;
     common.timing = config.timing;
     common.rules = statusRules(config);
     common.gravity = config.gravity;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/engine/polledsensor.h"
-#include "core/engine/pollingcycle.h"
+#include "core/engine/linepoller.h"
 #include "core/values/linestatus.h"
 
 #include <QMutex>
@@ -10,21 +9,10 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 namespace gorizont {
 
-struct LineWorkerSettings
-{
-    LineConfig line;
-    Timing timing;
-    StatusRules rules;
-    double gravity = 9.81347; ///< m/s²
-    int ringPackets = 8192; ///< SrsBufSize
-    bool asksInformation = false; ///< CanInfo
-};
-
-/// Polls the sensors of one port, one sensor a turn, and keeps the port open. Lives in the thread of its port, where it
+/// Keeps one port open, lets its sensors have their turns, and tells the rest of the program. Lives in the thread of its port, where it
 /// also makes the line and its timer; it may block there, but only inside the line. Only submit(), interrupt() and the
 /// slots by queued connection are for other threads. Tells every event once per change of state.
 class LineWorker : public QObject
@@ -35,7 +23,7 @@ public:
     using MakeLine = std::function<std::unique_ptr<Line>()>;
     using Task = std::function<void(Line &)>;
 
-    LineWorker(LineWorkerSettings settings, MakeLine makeLine);
+    LineWorker(PollingSettings settings, MakeLine makeLine);
     ~LineWorker() override;
 
     /// Runs \a task with the line between two turns, in the thread of the line. Thread-safe. The line may be closed;
@@ -63,32 +51,18 @@ private:
     void tryOpen();
     void lineLost();
     void turn();
-    bool sensorTurn(SteadyTime now);
-    bool idleTurn();
-    std::optional<std::chrono::milliseconds> takeTurn(PolledSensor &sensor);
-    bool fetchStep(PolledSensor &sensor);
-    bool isSensorFault(Fault fault);
-    void changeAddress(const PolledSensor &sensor);
-    std::chrono::milliseconds pauseAfter(Fault fault) const;
     void schedule(SteadyTime at);
     void setState(LineState state);
     void publishLine();
-    void publishSensors();
     void tell(JournalKind kind, const QString &text, int number = 0);
-    void tellStatusChange(const PolledSensor &sensor, quint16 before);
-    void passNotes(PolledSensor &sensor);
 
-    LineWorkerSettings m_settings;
+    PollingSettings m_settings;
     MakeLine m_makeLine;
     std::unique_ptr<Line> m_line;
     QMutex m_lineMutex; ///< guards the pointer m_line against interrupt()
     bool m_isInterrupted = false; ///< guarded by m_lineMutex
     std::unique_ptr<QTimer> m_timer;
-    std::vector<std::unique_ptr<PolledSensor>> m_sensors;
-    PollingCycle m_cycle;
-    std::size_t m_nextFetch = 0; ///< index of the sensor whose backlog is looked at first
-    bool m_hasIdleWork = false; ///< look at the backlogs before waiting for the next cycle
-    const PolledSensor *m_lastAsked = nullptr;
+    LinePoller m_poller;
     LineStatus m_status;
     SteadyTime m_publishedAt{};
 };

@@ -9,11 +9,6 @@ std::chrono::microseconds between(SteadyTime from, SteadyTime to)
     return std::chrono::duration_cast<std::chrono::microseconds>(to - from);
 }
 
-bool isLineFault(Fault fault)
-{
-    return fault == Fault::Closed || fault == Fault::Cancelled;
-}
-
 } // namespace
 
 PolledSensor::PolledSensor(std::unique_ptr<Driver> driver, const StatusRules &rules)

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto afterDamage = 100ms;
 
 /// No device of the program answers with more; a line that never stops talking must not eat the memory.
-constexpr qsizetype longestBacklog = 64 * 1024;
+constexpr qsizetype longestBacklog = 65536; ///< bytes
 
 } // namespace
 

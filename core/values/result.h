@@ -21,6 +21,12 @@ enum class Fault : quint8 {
 /// One word for logs, not for the operator.
 QString faultName(Fault fault);
 
+/// The line itself is gone or its thread is about to end: no device is at fault, and nothing else can be exchanged.
+inline bool isLineFault(Fault fault)
+{
+    return fault == Fault::Closed || fault == Fault::Cancelled;
+}
+
 /// A value, or the reason why there is none.
 template <typename T> class [[nodiscard]] Result
 {

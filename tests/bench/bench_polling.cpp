@@ -32,9 +32,9 @@ constexpr Case cases[] = {
 constexpr int sensorCount = 8;
 constexpr auto duration = 5s;
 
-LineWorkerSettings settings(const Case &which)
+PollingSettings settings(const Case &which)
 {
-    LineWorkerSettings settings;
+    PollingSettings settings;
     settings.line.index = 1;
     settings.line.baudRate = which.baudRate;
     settings.line.isOn = true;
@@ -64,7 +64,7 @@ struct Counted
 
 Counted run(const Case &which)
 {
-    const LineWorkerSettings chosen = settings(which);
+    const PollingSettings chosen = settings(which);
     LineWorker worker(chosen, [&] {
         SimulatedBus::Options options;
         options.responseDelay = 0ms;

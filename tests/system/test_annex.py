@@ -88,7 +88,7 @@ class Annex(unittest.TestCase):
             problems = []
             for number, (maximum, direction, x, y, status) in zip(ACCELERATION_NUMBERS, served[1]):
                 reading = printed[number]
-                if not (close(maximum, reading["accelMax"], 0.01) and close(direction, reading["accelDirection"], 0.1)
+                if not (close(maximum, reading["accelMax"], 0.01) and close((direction - reading["accelDirection"] + 180) % 360, 180, 0.1)
                         and close(x, reading["accelRmsX"], 0.01) and close(y, reading["accelRmsY"], 0.01)
                         and status == reading["status"]):
                     problems.append(f"{number}: {(maximum, direction, x, y, status)} against {reading}")

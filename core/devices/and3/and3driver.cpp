@@ -19,12 +19,6 @@ using namespace std::chrono_literals;
 constexpr auto leastSilence = 10ms; ///< between any two exchanges, packet reads included (observed)
 constexpr auto firmwarePeriod = 60s;
 
-/// The line is of no use to the rest of the turn either.
-bool endsTurn(Fault fault)
-{
-    return fault == Fault::Closed || fault == Fault::Cancelled;
-}
-
 /// A quantity that the sensor calls not ready is absent.
 Measurement measurementOf(const ComplexRead &read)
 {
@@ -140,7 +134,7 @@ Result<void> And3Driver::keepInOrder(Line &line, const ComplexRead &read)
 Result<void> And3Driver::tell(Line &line, const Request &request) const
 {
     const auto answer = ask(line, request, forCommands());
-    return answer || !endsTurn(answer.fault()) ? Result<void>() : answer.fault();
+    return answer || !isLineFault(answer.fault()) ? Result<void>() : answer.fault();
 }
 
 /// Once a minute, as the ini wishes; a sensor that does not answer this is not at fault.
@@ -153,7 +147,7 @@ Result<void> And3Driver::askFirmware(Line &line, UtcTime now)
     m_firmwareAskedAt = now;
     const auto answer = ask(line, Request::information(address(), InformationKind::Firmware), forCommands());
     if (!answer) {
-        return endsTurn(answer.fault()) ? Result<void>(answer.fault()) : Result<void>();
+        return isLineFault(answer.fault()) ? Result<void>(answer.fault()) : Result<void>();
     }
     const auto firmware = parseFirmware(*answer);
     if (firmware && firmware != m_firmware) {

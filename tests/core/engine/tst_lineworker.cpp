@@ -24,9 +24,9 @@ SensorConfig inclinometer(int number, int address)
     return sensor;
 }
 
-LineWorkerSettings settings(int sensors)
+PollingSettings settings(int sensors)
 {
-    LineWorkerSettings settings;
+    PollingSettings settings;
     settings.line.index = 1;
     settings.line.com = 7;
     settings.line.isOn = true;
@@ -78,7 +78,7 @@ private:
 class Bench : public QObject
 {
 public:
-    explicit Bench(const LineWorkerSettings &settings, const FaultPlan &faults = {})
+    explicit Bench(const PollingSettings &settings, const FaultPlan &faults = {})
         : worker(settings, [this, line = settings.line, faults] {
             SimulatedBus::Options options;
             options.faults = faults;
@@ -168,7 +168,7 @@ private Q_SLOTS:
     void survivesGarbageAndPieces()
     {
         FaultPlan plan = faults("garbage=100") + faults("pieces=100");
-        LineWorkerSettings patient = settings(1);
+        PollingSettings patient = settings(1);
         patient.timing.readCommand = 500ms;
         Bench bench(patient, plan);
         QTRY_VERIFY(bench.answers[1] > 10);
@@ -194,7 +194,7 @@ private Q_SLOTS:
 
     void aPortThatCannotBeOpenedIsToldOnce()
     {
-        LineWorkerSettings impatient = settings(1);
+        PollingSettings impatient = settings(1);
         impatient.timing.reopenPause = 20ms;
         Bench bench(impatient);
         bench.isPlugged = false;
@@ -225,7 +225,7 @@ private Q_SLOTS:
 
     void stopsInTheMiddleOfAWait()
     {
-        LineWorkerSettings slow = settings(1);
+        PollingSettings slow = settings(1);
         slow.timing.readCommand = 60s;
         Bench bench(slow, faults("silent=1"));
         QTRY_COMPARE(bench.line.state, LineState::Open);

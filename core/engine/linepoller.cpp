@@ -1,0 +1,201 @@
+#include "core/engine/linepoller.h"
+
+#include "core/devices/drivercatalog.h"
+#include "core/values/statustext.h"
+
+#include <QCoreApplication>
+
+#include <numeric>
+
+namespace gorizont {
+
+namespace {
+
+class PollerText
+{
+    Q_DECLARE_TR_FUNCTIONS(gorizont::LinePoller)
+};
+
+std::vector<std::unique_ptr<PolledSensor>> makeSensors(const PollingSettings &settings)
+{
+    std::vector<std::unique_ptr<PolledSensor>> sensors;
+    for (const SensorConfig &config : settings.line.sensors) {
+        if (!config.isOn) {
+            continue;
+        }
+        DriverSettings driver{
+            config, settings.timing, settings.gravity, settings.ringPackets, settings.asksInformation};
+        if (auto made = makeDriver(std::move(driver))) {
+            sensors.push_back(std::make_unique<PolledSensor>(std::move(made), settings.rules));
+        }
+    }
+    return sensors;
+}
+
+SteadyTime now()
+{
+    return std::chrono::steady_clock::now();
+}
+
+} // namespace
+
+LinePoller::LinePoller(const PollingSettings &settings)
+    : m_settings(settings)
+    , m_sensors(makeSensors(settings))
+    , m_cycle(static_cast<int>(m_sensors.size()), settings.timing)
+{
+}
+
+void LinePoller::restart()
+{
+    m_toFetch = nullptr;
+    m_lastAsked = nullptr;
+    m_cycle.restart(now());
+    for (const auto &sensor : m_sensors) {
+        sensor->restart();
+    }
+}
+
+Readings LinePoller::lineBecame(LineState state)
+{
+    Readings readings;
+    for (const auto &sensor : m_sensors) {
+        sensor->lineBecame(state);
+        readings.append(sensor->reading());
+    }
+    return readings;
+}
+
+TurnReport LinePoller::turn(Line &line)
+{
+    TurnReport report;
+    if (m_sensors.empty()) {
+        report.nextAt = now() + m_settings.timing.run;
+        return report;
+    }
+    if (PolledSensor *sensor = std::exchange(m_toFetch, nullptr)) {
+        fetch(*sensor, line, report);
+    } else if (now() < m_cycle.nextTurnAt()) {
+        idleTurn(line, report);
+    } else {
+        sensorTurn(line, report);
+    }
+    report.nextAt = m_toFetch || m_mayHaveBacklog ? now() : m_cycle.nextTurnAt();
+    return report;
+}
+
+void LinePoller::sensorTurn(Line &line, TurnReport &report)
+{
+    PolledSensor &sensor = *m_sensors[static_cast<std::size_t>(m_cycle.position())];
+    if (sensor.isDue(now())) {
+        poll(sensor, line, report);
+    } else {
+        report.isCycleOver = m_cycle.skip(now());
+    }
+    m_mayHaveBacklog = report.isCycleOver;
+}
+
+/// Between two cycles the line is free: one step from whoever has a backlog, in turns, if the step fits before the next
+/// cycle.
+void LinePoller::idleTurn(Line &line, TurnReport &report)
+{
+    m_mayHaveBacklog = false;
+    if (!m_cycle.isBetweenCycles()) {
+        return;
+    }
+    const auto left = m_cycle.nextTurnAt() - now();
+    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
+        PolledSensor &sensor = *m_sensors[(m_nextIdle + i) % m_sensors.size()];
+        if (sensor.hasBacklog() && sensor.isDue(now()) && sensor.fetchTime() < left) {
+            m_nextIdle = (m_nextIdle + i + 1) % m_sensors.size();
+            m_mayHaveBacklog = true;
+            fetch(sensor, line, report);
+            return;
+        }
+    }
+}
+
+void LinePoller::poll(PolledSensor &sensor, Line &line, TurnReport &report)
+{
+    const quint16 before = sensor.reading().status;
+    changeAddress(sensor, line);
+    const auto polled = sensor.poll(line);
+    if (!polled && isLineFault(polled.fault())) {
+        report.lineFault = polled.fault();
+        return;
+    }
+    addNotes(sensor, report);
+    addStatusChange(sensor, before, report);
+    report.readings.append(sensor.reading());
+    m_toFetch = polled && sensor.hasBacklog() ? &sensor : nullptr;
+    report.isCycleOver = m_cycle.advance(now(), pauseAfter(polled));
+}
+
+void LinePoller::fetch(PolledSensor &sensor, Line &line, TurnReport &report)
+{
+    changeAddress(sensor, line);
+    const auto blocks = sensor.fetch(line);
+    if (blocks) {
+        report.blocks = *blocks;
+    } else if (isLineFault(blocks.fault())) {
+        report.lineFault = blocks.fault();
+    }
+    addNotes(sensor, report);
+}
+
+/// SAdrChange: the line stays silent for a while before another sensor is asked.
+void LinePoller::changeAddress(const PolledSensor &sensor, Line &line)
+{
+    if (&sensor != m_lastAsked) {
+        line.requireQuiet(m_settings.timing.addressChange);
+        m_lastAsked = &sensor;
+    }
+}
+
+std::chrono::milliseconds LinePoller::pauseAfter(const Result<void> &polled) const
+{
+    if (polled) {
+        return std::chrono::milliseconds(0);
+    }
+    return polled.fault() == Fault::Checksum ? m_settings.timing.crcErrorPause : m_settings.timing.readErrorPause;
+}
+
+/// One line when a critical code comes, changes or goes.
+void LinePoller::addStatusChange(const PolledSensor &sensor, quint16 before, TurnReport &report) const
+{
+    const StatusCode is = statusCode(sensor.reading().status);
+    if (statusCode(before) == is) {
+        return;
+    }
+    const QString title = sensorTitle(sensor.config(), m_settings.line);
+    const int number = sensor.config().number;
+    if (is == StatusCode::Good) {
+        report.events.append({JournalKind::On, PollerText::tr("%1 works normally again").arg(title), number});
+    } else {
+        report.events.append({JournalKind::Error, QStringLiteral("%1: %2").arg(title, statusText(is)), number});
+    }
+}
+
+void LinePoller::addNotes(PolledSensor &sensor, TurnReport &report) const
+{
+    for (const DriverNote &note : sensor.driver().takeNotes()) {
+        const QString title = sensorTitle(sensor.config(), m_settings.line);
+        report.events.append({note.kind, QStringLiteral("%1: %2").arg(title, note.text), sensor.config().number});
+    }
+}
+
+quint64 LinePoller::readErrors() const
+{
+    return std::accumulate(m_sensors.begin(), m_sensors.end(), quint64(0), [](quint64 sum, const auto &sensor) {
+        return sum + sensor->reading().counters.readErrors;
+    });
+}
+
+quint64 LinePoller::crcErrors() const
+{
+    return std::accumulate(m_sensors.begin(), m_sensors.end(), quint64(0), [](quint64 sum, const auto &sensor) {
+        return sum + sensor->reading().counters.crcErrors;
+    });
+}
+
+} // namespace gorizont
