@@ -10,7 +10,7 @@ namespace gorizont {
 namespace {
 
 /// A configuration has some kilobytes; a file of this size was chosen by mistake.
-constexpr qint64 largestFile = 64 * 1024 * 1024;
+constexpr qint64 largestFile = 64'000'000; ///< bytes
 
 } // namespace
 

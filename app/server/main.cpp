@@ -86,7 +86,7 @@ void echoJournal(const Journal &journal)
 int runHeadless(Application &application, UnixSignals &signals_)
 {
     echoJournal(application.journal());
-    QObject::connect(&signals_, &UnixSignals::terminated, qApp, &QCoreApplication::quit);
+    QObject::connect(&signals_, &UnixSignals::terminated, QCoreApplication::instance(), &QCoreApplication::quit);
     application.start();
     return QCoreApplication::exec();
 }
@@ -100,8 +100,8 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
-    QObject::connect(&window, &MainWindow::exitRequested, qApp, &QCoreApplication::quit);
-    QObject::connect(&signals_, &UnixSignals::terminated, qApp, &QCoreApplication::quit);
+    QObject::connect(&window, &MainWindow::exitRequested, QCoreApplication::instance(), &QCoreApplication::quit);
+    QObject::connect(&signals_, &UnixSignals::terminated, QCoreApplication::instance(), &QCoreApplication::quit);
     application.start();
     window.showAtStart();
     return QApplication::exec();

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <numeric>
 
 namespace gorizont {
@@ -84,8 +85,13 @@ TurnReport LinePoller::turn(Line &line)
     return report;
 }
 
+/// Bulk data wait for the free time after a cycle, so that the periods of the sensors stay even. Only when that was too
+/// short for them does every sensor that has some get one step right after its turn.
 void LinePoller::sensorTurn(Line &line, TurnReport &report)
 {
+    if (m_cycle.isBetweenCycles()) {
+        m_isBehind = hasBacklog();
+    }
     PolledSensor &sensor = *m_sensors[static_cast<std::size_t>(m_cycle.position())];
     if (sensor.isDue(now())) {
         poll(sensor, line, report);
@@ -127,7 +133,7 @@ void LinePoller::poll(PolledSensor &sensor, Line &line, TurnReport &report)
     addNotes(sensor, report);
     addStatusChange(sensor, before, report);
     report.readings.append(sensor.reading());
-    m_toFetch = polled && sensor.hasBacklog() ? &sensor : nullptr;
+    m_toFetch = m_isBehind && polled && sensor.hasBacklog() ? &sensor : nullptr;
     report.isCycleOver = m_cycle.advance(now(), pauseAfter(polled));
 }
 
@@ -141,6 +147,11 @@ void LinePoller::fetch(PolledSensor &sensor, Line &line, TurnReport &report)
         report.lineFault = blocks.fault();
     }
     addNotes(sensor, report);
+}
+
+bool LinePoller::hasBacklog() const
+{
+    return std::any_of(m_sensors.begin(), m_sensors.end(), [](const auto &sensor) { return sensor->hasBacklog(); });
 }
 
 /// SAdrChange: the line stays silent for a while before another sensor is asked.

@@ -59,6 +59,7 @@ private:
     void idleTurn(Line &line, TurnReport &report);
     void poll(PolledSensor &sensor, Line &line, TurnReport &report);
     void fetch(PolledSensor &sensor, Line &line, TurnReport &report);
+    bool hasBacklog() const;
     void changeAddress(const PolledSensor &sensor, Line &line);
     std::chrono::milliseconds pauseAfter(const Result<void> &polled) const;
     void addStatusChange(const PolledSensor &sensor, quint16 before, TurnReport &report) const;
@@ -67,6 +68,7 @@ private:
     PollingSettings m_settings;
     std::vector<std::unique_ptr<PolledSensor>> m_sensors;
     PollingCycle m_cycle;
+    bool m_isBehind = false; ///< the free time of the last cycle was too short for all bulk data
     PolledSensor *m_toFetch = nullptr; ///< answered just now and has bulk data: one step of them comes next
     std::size_t m_nextIdle = 0; ///< index of the sensor whose backlog is looked at first
     bool m_mayHaveBacklog = false; ///< look at the backlogs before waiting for the next cycle

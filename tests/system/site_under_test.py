@@ -61,7 +61,10 @@ class Program:
         deadline = time.monotonic() + seconds
         while not condition():
             left = deadline - time.monotonic()
-            assert left > 0, f"{what} not reached in {seconds} s\n" + "\n".join(self.errors[-20:])
+            ended = self.process.poll()
+            said = "\n".join(self.errors[-20:])
+            assert left > 0, f"{what} not reached in {seconds} s\n{said}"
+            assert ended is None or condition(), f"ended with {ended} before {what}\n{said}"
             with contextlib.suppress(queue.Empty):
                 self._news.get(timeout=min(left, 0.2))
 

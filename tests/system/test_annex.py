@@ -46,15 +46,12 @@ class Annex(unittest.TestCase):
     def setUpClass(cls):
         cls.port = free_port()
         cls.site = Site(annex(IPPort1=cls.port, TmSave=1000))
+        cls.addClassCleanup(cls.site.__exit__)
         cls.site.start()
         # Statistics of accelerations need ten packets of 3.2 s.
         cls.site.wait_for(
             lambda last: set(last) == set(TILT_NUMBERS) and all("accelMax" in last[n] for n in ACCELERATION_NUMBERS),
             seconds=120)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.site.__exit__()
 
     def matching(self, read, agrees):
         """Served values and the printed readings that were current; tried again when a reading came in between."""
