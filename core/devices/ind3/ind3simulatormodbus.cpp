@@ -167,7 +167,8 @@ QByteArray answerWrite(const QByteArray &request, SimulatedSensor &sensor, Build
         if (!isWritable(first + i)) {
             return exceptionAnswer(request, IllegalAddress);
         }
-        registers[static_cast<std::size_t>(first + i)] = static_cast<quint16>(word(request, 7 + 2 * i));
+        const auto which = static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
+        registers[which] = static_cast<quint16>(word(request, 7 + 2 * i));
     }
     if (!areAcceptable(registers)) {
         return exceptionAnswer(request, IllegalValue);
