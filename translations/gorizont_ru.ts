@@ -1014,6 +1014,10 @@
         <source>There is no GorizontServer.ini. Name one with --config, or look at the program with --demo.</source>
         <translation>Нет файла GorizontServer.ini. Укажите его ключом --config или посмотрите программу с ключом --demo.</translation>
     </message>
+    <message>
+        <source>There is no display. Start the program with --headless.</source>
+        <translation>Нет экрана. Запустите программу с ключом --headless.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::MainWindow</name>

@@ -175,14 +175,14 @@ int main(int argc, char **argv)
     QCoreApplication::setApplicationName(QStringLiteral("gorizont-server"));
     QCoreApplication::setApplicationVersion(QStringLiteral(GORIZONT_VERSION));
     const bool isWindowless = needsNoWindow(argc, argv);
-    if (!isWindowless && !hasDisplay()) {
-        std::fprintf(stderr, "gorizont-server: there is no display; start it with --headless\n");
-        return ExitFailed;
-    }
+    const bool isBlind = !isWindowless && !hasDisplay();
     const std::unique_ptr<QCoreApplication> application(
-        isWindowless ? new QCoreApplication(argc, argv) : new QApplication(argc, argv));
+        isWindowless || isBlind ? new QCoreApplication(argc, argv) : new QApplication(argc, argv));
     const QStringList arguments = QCoreApplication::arguments();
     installTranslation(languageArgument(arguments));
+    if (isBlind) {
+        return sayLastWords({ExitFailed, Main::tr("There is no display. Start the program with --headless.")});
+    }
     const auto parsed = parseOptions(arguments);
     if (const auto *words = std::get_if<LastWords>(&parsed)) {
         return sayLastWords(*words);
