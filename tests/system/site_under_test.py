@@ -73,8 +73,9 @@ class Program:
         if self.process.poll() is None:
             self.process.send_signal(number)
         code = self.process.wait(seconds)
-        for reader in self._readers:
+        for reader, stream in zip(self._readers, (self.process.stdout, self.process.stderr)):
             reader.join(5)
+            stream.close()
         return code
 
     def cpu_seconds(self):
