@@ -37,11 +37,7 @@ TrayIcon::TrayIcon(MainWindow &window, const SensorRegistry &registry, QObject *
         }
     });
     connect(m_timer, &QTimer::timeout, this, &TrayIcon::refresh);
-    if (QSystemTrayIcon::isSystemTrayAvailable()) {
-        m_window.setHidesToTray(true);
-        m_timer->start(refreshPeriod);
-        m_icon.show();
-    }
+    m_timer->start(refreshPeriod);
     refresh();
 }
 
@@ -49,6 +45,7 @@ TrayIcon::~TrayIcon() = default;
 
 void TrayIcon::refresh()
 {
+    followTray();
     const Health worst = siteHealth(m_registry);
     if (worst != m_shown) {
         m_shown = worst;
@@ -57,6 +54,21 @@ void TrayIcon::refresh()
     const QString toolTip = m_window.windowTitle() + u'\n' + statetext::counts(countHealth(m_registry));
     if (toolTip != m_icon.toolTip()) {
         m_icon.setToolTip(toolTip);
+    }
+}
+
+/// The tray may come after the program (both started with the session) and may go (its panel has crashed); a window that
+/// is hidden in it must not go with it.
+void TrayIcon::followTray()
+{
+    const bool hasTray = QSystemTrayIcon::isSystemTrayAvailable();
+    if (hasTray == m_icon.isVisible()) {
+        return;
+    }
+    m_icon.setVisible(hasTray);
+    m_window.setHidesToTray(hasTray);
+    if (!hasTray && m_window.isHidden()) {
+        m_window.showMinimized();
     }
 }
 

@@ -20,7 +20,7 @@ class TrayIcon : public QObject
     Q_OBJECT
 
 public:
-    /// Shows the icon if the desktop has a tray, and tells the window that it may hide there.
+    /// Shows the icon while the desktop has a tray, and tells the window whether it may hide there.
     TrayIcon(MainWindow &window, const SensorRegistry &registry, QObject *parent = nullptr);
     ~TrayIcon() override;
 
@@ -29,6 +29,8 @@ public:
     void refresh();
 
 private:
+    void followTray();
+
     MainWindow &m_window;
     const SensorRegistry &m_registry;
     QSystemTrayIcon m_icon;
