@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -116,8 +117,8 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::restoreLayout()
 {
-    resize(1340, 800);
-    m_columns->setSizes({340, 1000});
+    resize(QSize(1340, 800).boundedTo(screen()->availableSize()));
+    m_columns->setSizes({310, 1030});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

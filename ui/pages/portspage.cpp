@@ -50,7 +50,7 @@ PortsPage::PortsPage(const SensorRegistry &registry, QWidget *parent)
     m_view->setColumnSample(PortModel::Sent, QStringLiteral("1000000000000"));
     m_view->setColumnSample(PortModel::Received, QStringLiteral("1000000000000"));
     m_view->setColumnSample(PortModel::Attempts, QStringLiteral("100000"));
-    m_view->horizontalHeader()->setSectionResizeMode(PortModel::State, QHeaderView::Stretch);
+    m_view->setElasticColumn(PortModel::State, QString(24, u'n'));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);

@@ -32,7 +32,7 @@ SensorsPage::SensorsPage(const SensorRegistry &registry, QWidget *parent)
     m_view->setColumnSample(SensorModel::Power, QStringLiteral("100.0"));
     m_view->setColumnSample(SensorModel::Status, QStringLiteral("10 0000 0000 0000"));
     m_view->horizontalHeader()->setMinimumSectionSize(60);
-    m_view->horizontalHeader()->setSectionResizeMode(SensorModel::Sensor, QHeaderView::Stretch);
+    m_view->setElasticColumn(SensorModel::Sensor, QStringLiteral("100 АН-Д3 [А1] [100]"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);

@@ -77,6 +77,37 @@ TableView::Rows TableView::visibleRows() const
 
 void TableView::setColumnSample(int column, const QString &widest)
 {
+    setColumnWidth(column, sampleWidth(column, widest));
+}
+
+void TableView::setElasticColumn(int column, const QString &least)
+{
+    m_elasticColumn = column;
+    m_elasticWidth = sampleWidth(column, least);
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int resized) {
+        if (resized != m_elasticColumn) {
+            stretchElasticColumn();
+        }
+    });
+    stretchElasticColumn();
+}
+
+void TableView::resizeEvent(QResizeEvent *event)
+{
+    QTableView::resizeEvent(event);
+    if (m_elasticColumn >= 0) {
+        stretchElasticColumn();
+    }
+}
+
+void TableView::stretchElasticColumn()
+{
+    const int others = horizontalHeader()->length() - columnWidth(m_elasticColumn);
+    setColumnWidth(m_elasticColumn, std::max(m_elasticWidth, viewport()->width() - others));
+}
+
+int TableView::sampleWidth(int column, const QString &widest) const
+{
     constexpr int margins = 2 * (sideMargin + 1);
     const int sortMark = style()->pixelMetric(QStyle::PM_HeaderMarkSize) + margins;
     const QString heading = model()->headerData(column, Qt::Horizontal).toString();
@@ -86,7 +117,7 @@ void TableView::setColumnSample(int column, const QString &widest)
         std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
     const bool hasIcon = !model()->index(0, column).data(Qt::DecorationRole).isNull();
     const int iconWidth = hasIcon ? style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this) + margins : 0;
-    setColumnWidth(column, std::max(headingWidth, cellWidth + iconWidth) + margins);
+    return std::max(headingWidth, cellWidth + iconWidth) + margins;
 }
 
 bool TableView::isAtEnd() const

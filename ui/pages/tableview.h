@@ -24,6 +24,9 @@ public:
     /// Width of a column from its heading and the widest text it is going to hold; cells are never measured.
     void setColumnSample(int column, const QString &widest);
 
+    /// Column \a column takes what the others leave, but never less than \a least needs: then the table scrolls.
+    void setElasticColumn(int column, const QString &least);
+
     /// From now on the newest row stays in sight until somebody scrolls away from the end.
     void followEnd();
 
@@ -39,10 +42,15 @@ Q_SIGNALS:
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     bool isAtEnd() const;
+    int sampleWidth(int column, const QString &widest) const;
+    void stretchElasticColumn();
 
+    int m_elasticColumn = -1; ///< −1: none
+    int m_elasticWidth = 0; ///< at least
     bool m_wasAtEnd = true;
 };
 
