@@ -2,6 +2,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QDir>
 
 namespace gorizont {
 
@@ -68,7 +69,10 @@ std::variant<Options, LastWords> parseOptions(const QStringList &arguments)
     Options options;
     options.configFile = parser.value(QStringLiteral("config"));
     options.dataFolder = parser.value(QStringLiteral("data"));
-    options.portsFolder = parser.value(QStringLiteral("ports"));
+    // Absolute, because a relative name of a port means one below /dev.
+    if (parser.isSet(QStringLiteral("ports"))) {
+        options.portsFolder = QDir(parser.value(QStringLiteral("ports"))).absolutePath();
+    }
     options.language = parser.value(QStringLiteral("lang"));
     options.isHeadless = parser.isSet(QStringLiteral("headless"));
     options.isDemo = parser.isSet(QStringLiteral("demo"));

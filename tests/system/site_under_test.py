@@ -39,10 +39,9 @@ def annex(**changes):
 class Program:
     """A running process whose lines on stdout are collected as they come."""
 
-    def __init__(self, name, *arguments, environment=None):
+    def __init__(self, name, *arguments, folder=None):
         command = [str(PROGRAMS / name), *map(str, arguments)]
-        self.process = subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env={**os.environ, **(environment or {})})
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=folder)
         self.lines = []
         self.errors = []
         self._news = queue.Queue()

@@ -70,6 +70,15 @@ class CommandLine(unittest.TestCase):
                 log = site.file_text("log")
                 self.assertGreaterEqual(len(log.splitlines()), 3, name)  # started, something to complain of, ended
 
+    def test_folders_may_be_relative(self):
+        with Site(annex(IPPort1=free_port(), TmSave=1000)) as site:
+            site.server = Program(
+                "gorizont-server", "--config", "GorizontServer.ini", "--ports", "ports", "--data", "kept", "--headless",
+                "--print-readings", folder=site.folder)
+            site.wait_for(lambda last: last.get(1, {}).get("status", 0x2700) & 0xF000 == 0, what="readings")
+            site.server.wait_until(lambda: list((site.folder / "kept" / "History").glob("*_data.txt")), what="files")
+            self.assertEqual(site.server.stop(), 0)
+
     def test_a_second_copy_in_the_same_folder_is_refused(self):
         with Site(annex(IPPort1=free_port()), faults=None) as site:
             server = site.start()
