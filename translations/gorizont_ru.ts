@@ -1354,6 +1354,18 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <source>Something that goes wrong.</source>
         <translation>Неисправность.</translation>
     </message>
+    <message>
+        <source>--config FILE and --ports DIR are needed</source>
+        <translation>нужны --config FILE и --ports DIR</translation>
+    </message>
+    <message>
+        <source>--fault %1 is not understood; --help lists what can go wrong</source>
+        <translation>--fault %1 непонятно; --help перечисляет неисправности</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>не удаётся создать папку %1</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::SiteTree</name>

@@ -1,6 +1,7 @@
 #include "app/configfile.h"
 #include "app/ptyport.h"
 #include "app/unixsignals.h"
+#include "translations/translation.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -13,6 +14,11 @@ using namespace gorizont;
 
 namespace {
 
+class Text
+{
+    Q_DECLARE_TR_FUNCTIONS(gorizont::Simulator)
+};
+
 constexpr int usageError = 2;
 
 int complain(const QString &text)
@@ -23,29 +29,24 @@ int complain(const QString &text)
 
 void addOptions(QCommandLineParser &parser)
 {
-    parser.setApplicationDescription(QCoreApplication::translate(
-        "gorizont::Simulator",
-        "Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn.\n\n"
-        "Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:\n"
-        "  silent=N     the sensor with site number N does not answer\n"
-        "  crc=P        P % of the answers have a wrong byte\n"
-        "  garbage=P    P % of the answers come after garbage\n"
-        "  pieces=P     P % of the answers come in pieces\n"
-        "  late=P       P % of the answers come 1.5 s late\n"
-        "  reboot=N     the sensor N restarts, once at FROM\n"
-        "  overrun=N    the ring of the sensor N is overwritten, once at FROM\n"
-        "  gone=n:S     the port COMn is gone for S seconds, once at FROM"));
+    parser.setApplicationDescription(
+        Text::tr("Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn.\n\n"
+                 "Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:\n"
+                 "  silent=N     the sensor with site number N does not answer\n"
+                 "  crc=P        P % of the answers have a wrong byte\n"
+                 "  garbage=P    P % of the answers come after garbage\n"
+                 "  pieces=P     P % of the answers come in pieces\n"
+                 "  late=P       P % of the answers come 1.5 s late\n"
+                 "  reboot=N     the sensor N restarts, once at FROM\n"
+                 "  overrun=N    the ring of the sensor N is overwritten, once at FROM\n"
+                 "  gone=n:S     the port COMn is gone for S seconds, once at FROM"));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOptions({
-        {QStringLiteral("config"),
-         QCoreApplication::translate("gorizont::Simulator", "The ini that lists the sensors."), QStringLiteral("FILE")},
-        {QStringLiteral("ports"), QCoreApplication::translate("gorizont::Simulator", "Folder for the links COMn."),
-         QStringLiteral("DIR")},
-        {QStringLiteral("seed"), QCoreApplication::translate("gorizont::Simulator", "Another building."),
-         QStringLiteral("N"), QStringLiteral("1")},
-        {QStringLiteral("fault"), QCoreApplication::translate("gorizont::Simulator", "Something that goes wrong."),
-         QStringLiteral("KIND=VALUE")},
+        {QStringLiteral("config"), Text::tr("The ini that lists the sensors."), QStringLiteral("FILE")},
+        {QStringLiteral("ports"), Text::tr("Folder for the links COMn."), QStringLiteral("DIR")},
+        {QStringLiteral("seed"), Text::tr("Another building."), QStringLiteral("N"), QStringLiteral("1")},
+        {QStringLiteral("fault"), Text::tr("Something that goes wrong."), QStringLiteral("KIND=VALUE")},
     });
 }
 
@@ -84,16 +85,17 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("gorizont-simulator"));
     QCoreApplication::setApplicationVersion(QStringLiteral(GORIZONT_VERSION));
+    installTranslation({});
     QCommandLineParser parser;
     addOptions(parser);
     parser.process(application);
     if (!parser.isSet(QStringLiteral("config")) || !parser.isSet(QStringLiteral("ports"))) {
-        return complain(QStringLiteral("--config FILE and --ports DIR are needed"));
+        return complain(Text::tr("--config FILE and --ports DIR are needed"));
     }
     QString wrong;
     const auto faults = parseFaults(parser.values(QStringLiteral("fault")), &wrong);
     if (!faults) {
-        return complain(QStringLiteral("--fault %1 is not understood").arg(wrong));
+        return complain(Text::tr("--fault %1 is not understood; --help lists what can go wrong").arg(wrong));
     }
     const auto reading = readConfigFile(parser.value(QStringLiteral("config")), &wrong);
     if (!reading) {
@@ -101,7 +103,7 @@ int main(int argc, char **argv)
     }
     const QString directory = parser.value(QStringLiteral("ports"));
     if (!QDir().mkpath(directory)) {
-        return complain(QStringLiteral("the folder %1 cannot be made").arg(directory));
+        return complain(Text::tr("the folder %1 cannot be made").arg(directory));
     }
 
     UnixSignals signals_;
