@@ -57,6 +57,13 @@ void LinePoller::restart()
     }
 }
 
+void LinePoller::probeParked()
+{
+    for (const auto &sensor : m_sensors) {
+        sensor->probeSoon();
+    }
+}
+
 Readings LinePoller::lineBecame(LineState state)
 {
     Readings readings;

@@ -48,6 +48,8 @@ public:
 
     /// Polling starts: the line was opened, or service ended.
     void restart();
+    /// Parked sensors are asked at the next opportunity.
+    void probeParked();
     /// The line went into \a state: the readings of all its sensors follow.
     Readings lineBecame(LineState state);
 

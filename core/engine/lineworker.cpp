@@ -10,6 +10,9 @@ namespace {
 
 Q_LOGGING_CATEGORY(logLine, "gorizont.line", QtInfoMsg)
 
+/// How often a port in service is looked at while nobody uses it, so that one that was pulled out does not go unnoticed.
+constexpr std::chrono::seconds watchPeriod(1);
+
 } // namespace
 
 LineWorker::LineWorker(PollingSettings settings, MakeLine makeLine)
@@ -28,11 +31,43 @@ void LineWorker::submit(Task task)
     QMetaObject::invokeMethod(
         this,
         [this, task = std::move(task)] {
-            if (m_line) {
-                task(*m_line);
+            if (!m_line) {
+                return;
+            }
+            task(*m_line);
+            if (m_status.state == LineState::Service && !m_line->isOpen()) {
+                lineLost();
             }
         },
         Qt::QueuedConnection);
+}
+
+QFuture<Result<void>> LineWorker::enterService()
+{
+    auto promise = std::make_shared<QPromise<Result<void>>>();
+    promise->start();
+    submit([this, promise](Line &) {
+        promise->addResult(suspend());
+        promise->finish();
+    });
+    return promise->future();
+}
+
+void LineWorker::leaveService()
+{
+    submit([this](Line &) { resume(); });
+}
+
+void LineWorker::retry()
+{
+    submit([this](Line &) {
+        if (m_status.state == LineState::Lost || m_status.state == LineState::OpenFailed) {
+            tryOpen();
+        } else if (m_status.state == LineState::Open) {
+            m_poller.probeParked();
+            schedule(std::chrono::steady_clock::now());
+        }
+    });
 }
 
 void LineWorker::interrupt()
@@ -67,25 +102,44 @@ void LineWorker::stop()
     m_line.reset();
 }
 
-void LineWorker::setService(bool isInService)
+Result<void> LineWorker::suspend()
 {
-    if (isInService && m_status.state == LineState::Open) {
-        m_timer->stop();
-        setState(LineState::Service);
-        tell(JournalKind::Off, tr("%1: polling suspended for service").arg(m_settings.line.title()));
-    } else if (!isInService && m_status.state == LineState::Service) {
-        tell(JournalKind::On, tr("%1: service ended, polling goes on").arg(m_settings.line.title()));
-        setState(LineState::Open);
-        schedule(std::chrono::steady_clock::now());
+    if (m_status.state != LineState::Open) {
+        return m_status.state == LineState::Service ? Fault::Refused : Fault::Closed;
     }
+    setState(LineState::Service);
+    tell(JournalKind::Off, tr("%1: polling suspended for service").arg(m_settings.line.title()));
+    schedule(std::chrono::steady_clock::now() + watchPeriod);
+    return {};
+}
+
+void LineWorker::resume()
+{
+    if (m_status.state != LineState::Service) {
+        return;
+    }
+    tell(JournalKind::On, tr("%1: service ended, polling goes on").arg(m_settings.line.title()));
+    setState(LineState::Open);
+    schedule(std::chrono::steady_clock::now());
 }
 
 void LineWorker::onTimer()
 {
     if (m_status.state == LineState::Open) {
         turn();
-    } else if (m_status.state != LineState::Service) {
+    } else if (m_status.state == LineState::Service) {
+        watch();
+    } else {
         tryOpen();
+    }
+}
+
+void LineWorker::watch()
+{
+    if (const auto heard = m_line->discardInput(); !heard && heard.fault() == Fault::Closed) {
+        lineLost();
+    } else {
+        schedule(std::chrono::steady_clock::now() + watchPeriod);
     }
 }
 

@@ -22,6 +22,7 @@ public:
     Driver &driver() { return *m_driver; }
 
     bool isDue(SteadyTime now) const { return m_health.isDue(now); }
+    void probeSoon() { m_health.probeSoon(); }
 
     /// One turn. The reading is new afterwards, whatever the result. Closed and Cancelled are the line's fault and are not
     /// held against the sensor.

@@ -22,6 +22,9 @@ public:
     /// The line was opened anew: nothing is held against the sensor.
     void restart();
 
+    /// A parked sensor is asked at the next opportunity; nothing is forgiven.
+    void probeSoon() { m_probeAt = {}; }
+
     bool isParked() const;
     /// Whether the sensor takes part in a cycle that passes it at \a now.
     bool isDue(SteadyTime now) const { return !isParked() || now >= m_probeAt; }

@@ -55,6 +55,9 @@ public:
     Result<void> send(
         const QByteArray &bytes, std::chrono::milliseconds timeout, std::chrono::microseconds quietBefore);
 
+    /// Throws away what has arrived and nobody asked for. Closed: the line is gone.
+    Result<void> discardInput() { return waitForQuiet(std::chrono::microseconds(0)); }
+
     /// The next request waits until the line was silent for this long, whoever sends it.
     void requireQuiet(std::chrono::microseconds silence) { m_requiredQuiet = silence; }
 

@@ -70,6 +70,14 @@ protected:
         return SimulatedLine::writeAll(bytes, timeout);
     }
 
+    Result<QByteArray> readSome(std::chrono::microseconds timeout) override
+    {
+        if (!m_isPlugged) {
+            close();
+        }
+        return SimulatedLine::readSome(timeout);
+    }
+
 private:
     std::atomic_bool &m_isPlugged;
 };
@@ -106,6 +114,13 @@ public:
         thread.wait();
     }
 
+    template <typename Answer> static Answer answerOf(const QFuture<Answer> &future)
+    {
+        return QTest::qWaitFor([&] { return future.isFinished(); }, 5000) && future.resultCount() == 1
+            ? future.result()
+            : Answer(Fault::Cancelled);
+    }
+
     int journalLines(JournalKind kind) const
     {
         return static_cast<int>(
@@ -120,6 +135,11 @@ public:
     LineStatus line;
     QList<JournalEntry> journal;
 };
+
+Result<int> count(Line &line)
+{
+    return line.isOpen() ? 1 : 0;
+}
 
 FaultPlan faults(const char *text)
 {
@@ -207,20 +227,98 @@ private Q_SLOTS:
     {
         Bench bench(settings(1));
         QTRY_VERIFY(bench.answers[1] > 1);
-        QMetaObject::invokeMethod(
-            &bench.worker, [&] { bench.worker.setService(true); }, Qt::QueuedConnection);
+        QVERIFY(bench.answerOf(bench.worker.enterService()));
         QTRY_COMPARE(bench.line.state, LineState::Service);
         QTRY_COMPARE(bench.last[1].status, quint16(0x0700));
         const int before = bench.answers[1];
-        std::atomic_bool hasRun{false};
-        bench.worker.submit([&](Line &line) { hasRun = line.isOpen(); });
-        QTRY_VERIFY(hasRun);
+        QCOMPARE(*bench.answerOf(bench.worker.serve(count)), 1);
         QTest::qWait(200);
         QCOMPARE(bench.answers[1], before);
-        QMetaObject::invokeMethod(
-            &bench.worker, [&] { bench.worker.setService(false); }, Qt::QueuedConnection);
+        bench.worker.leaveService();
         QTRY_VERIFY(bench.answers[1] > before);
         QCOMPARE(bench.last[1].status, quint16(0x0300));
+        QCOMPARE(bench.journalLines(JournalKind::Off), 1);
+    }
+
+    void serviceNeedsAnOpenPortOfItsOwn()
+    {
+        Bench bench(settings(1));
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+        QCOMPARE(bench.answerOf(bench.worker.serve(count)).fault(), Fault::Closed); // nobody is in service
+        QVERIFY(bench.answerOf(bench.worker.enterService()));
+        QCOMPARE(bench.answerOf(bench.worker.enterService()).fault(), Fault::Refused);
+        bench.worker.leaveService();
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+        bench.isPlugged = false;
+        QTRY_COMPARE(bench.line.state, LineState::OpenFailed);
+        QCOMPARE(bench.answerOf(bench.worker.enterService()).fault(), Fault::Closed);
+        bench.worker.leaveService();
+        QCOMPARE(bench.journalLines(JournalKind::Off), 1);
+    }
+
+    void aPortThatGoesAwayEndsItsService()
+    {
+        Bench bench(settings(1));
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+        QVERIFY(bench.answerOf(bench.worker.enterService()));
+        bench.isPlugged = false;
+        const auto asked = bench.answerOf(bench.worker.serve([](Line &line) -> Result<int> {
+            const auto sent = line.send(QByteArray("x"), 100ms, 0us);
+            return sent ? Result<int>(1) : sent.fault();
+        }));
+        QCOMPARE(asked.fault(), Fault::Closed);
+        QTRY_VERIFY(bench.line.state == LineState::Lost || bench.line.state == LineState::OpenFailed);
+        QCOMPARE(bench.answerOf(bench.worker.serve(count)).fault(), Fault::Closed);
+        bench.isPlugged = true;
+        const int before = bench.answers[1];
+        QTRY_VERIFY(bench.answers[1] > before); // polling goes on by itself
+        bench.worker.leaveService(); // the dialog closes later than the port: nothing happens
+        QTest::qWait(100);
+        QCOMPARE(bench.line.state, LineState::Open);
+    }
+
+    void anUnusedPortInServiceIsWatched()
+    {
+        Bench bench(settings(1));
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+        QVERIFY(bench.answerOf(bench.worker.enterService()));
+        bench.isPlugged = false;
+        QTRY_VERIFY(bench.line.state == LineState::Lost || bench.line.state == LineState::OpenFailed);
+    }
+
+    void aStepThatComesTooLateIsCancelled()
+    {
+        Bench bench(settings(1));
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+        bench.thread.quit();
+        QVERIFY(bench.thread.wait(5000));
+        const auto future = bench.worker.serve(count);
+        QCoreApplication::removePostedEvents(&bench.worker); // what the end of the worker does
+        QVERIFY(future.isCanceled() && future.isFinished());
+    }
+
+    void retryDoesNotWaitForThePause()
+    {
+        PollingSettings patient = settings(1);
+        patient.timing.closePause = 1h;
+        patient.timing.reopenPause = 1h;
+        Bench bench(patient);
+        QTRY_VERIFY(bench.answers[1] > 0);
+        bench.isPlugged = false;
+        QTRY_COMPARE(bench.line.state, LineState::Lost);
+        bench.worker.retry();
+        QTRY_COMPARE(bench.line.state, LineState::OpenFailed);
+        bench.isPlugged = true;
+        bench.worker.retry();
+        QTRY_COMPARE(bench.line.state, LineState::Open);
+    }
+
+    void retryAsksAParkedSensor()
+    {
+        Bench bench(settings(2), faults("silent=1"));
+        QTRY_COMPARE(bench.last[1].counters.readErrors, 3u);
+        bench.worker.retry();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.last[1].counters.readErrors, 4u, 1500); // its own probe comes after two seconds
     }
 
     void stopsInTheMiddleOfAWait()
