@@ -80,7 +80,7 @@ private Q_SLOTS:
                            "Read errors | 3\n"
                            "CRC errors | 2\n"
                            "Firmware version | —\n"
-                           "Clock frequency | —\n"
+                           "System clock | —\n"
                            "Power of the heater | —\n"
                            "Power of the fan | —\n"
                            "Address and command of the transducer | —\n"
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QCOMPARE(
             text(sensorProperties(registry.sensors().front(), LineState::Open, now).mid(11)),
             QStringLiteral("Firmware version | 2.3.12\n"
-                           "Clock frequency | 40000000\n"
+                           "System clock | 40000000\n"
                            "Power of the heater | 452\n"
                            "Power of the fan | —\n"
                            "Address and command of the transducer | 513\n"

@@ -32,7 +32,7 @@ Properties informationProperties(const SensorRegistry::Sensor &sensor)
     return {
         {SensorPage::tr("Firmware version"),
          information.firmware.isEmpty() ? valuetext::absent() : information.firmware, source},
-        {SensorPage::tr("Clock frequency"), raw(information.systemClock), number},
+        {SensorPage::tr("System clock"), raw(information.systemClock), number},
         {SensorPage::tr("Power of the heater"), raw(information.heaterPower), number},
         {SensorPage::tr("Power of the fan"), raw(information.fanPower), number},
         {SensorPage::tr("Address and command of the transducer"), raw(information.innerTransducer), number},
