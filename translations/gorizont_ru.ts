@@ -278,8 +278,8 @@
         <translation>Версия ПО</translation>
     </message>
     <message>
-        <source>Clock frequency</source>
-        <translation>Тактовая частота</translation>
+        <source>System clock</source>
+        <translation>Системный такт</translation>
     </message>
     <message>
         <source>Power of the heater</source>
