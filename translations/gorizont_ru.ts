@@ -43,12 +43,12 @@
         <translation>Запись ускорений была остановлена; она запущена снова.</translation>
     </message>
     <message>
-        <source>Firmware %1.%2, build %3.</source>
-        <translation>Версия ПО %1.%2, сборка %3.</translation>
-    </message>
-    <message>
         <source>Packets of accelerations do not follow each other.</source>
         <translation>Пакеты ускорений не следуют друг за другом.</translation>
+    </message>
+    <message>
+        <source>Firmware %1.</source>
+        <translation>Версия ПО %1.</translation>
     </message>
 </context>
 <context>
@@ -265,6 +265,38 @@
         <source>CRC errors</source>
         <translation>Ошибок CRC</translation>
     </message>
+    <message>
+        <source>asked once a minute if CanInfo=1</source>
+        <translation>запрашивается раз в минуту при CanInfo=1</translation>
+    </message>
+    <message>
+        <source>a number as the sensor gives it</source>
+        <translation>число, как его передаёт датчик</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>Версия ПО</translation>
+    </message>
+    <message>
+        <source>System clock</source>
+        <translation>Системный такт</translation>
+    </message>
+    <message>
+        <source>Power of the heater</source>
+        <translation>Мощность нагревателя</translation>
+    </message>
+    <message>
+        <source>Power of the fan</source>
+        <translation>Мощность вентилятора</translation>
+    </message>
+    <message>
+        <source>Address and command of the transducer</source>
+        <translation>Адрес и команда преобразователя</translation>
+    </message>
+    <message>
+        <source>Response time of the transducer</source>
+        <translation>Время ответа преобразователя</translation>
+    </message>
 </context>
 <context>
     <name>ServerConfig</name>
@@ -443,6 +475,18 @@
     <message>
         <source>The first one counts.</source>
         <translation>Действует первый.</translation>
+    </message>
+    <message>
+        <source>%1 is more than %2.</source>
+        <translation>%1 больше %2.</translation>
+    </message>
+    <message>
+        <source>The text is longer than %1 characters.</source>
+        <translation>Текст длиннее %1 символов.</translation>
+    </message>
+    <message>
+        <source>Its beginning is used.</source>
+        <translation>Взято его начало.</translation>
     </message>
 </context>
 <context>
@@ -1310,6 +1354,10 @@
     <message>
         <source>there is no such device</source>
         <translation>нет такого устройства</translation>
+    </message>
+    <message>
+        <source>the adapter does not know RS485=1</source>
+        <translation>адаптер не поддерживает RS485=1</translation>
     </message>
 </context>
 <context>

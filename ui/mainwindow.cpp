@@ -192,6 +192,12 @@ void MainWindow::toggle()
     }
 }
 
+void MainWindow::endWithoutQuestion()
+{
+    m_isExitConfirmed = true;
+    close();
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     // The end of the desktop session does not wait for an answer.
@@ -223,10 +229,7 @@ void MainWindow::askExit()
     no->setObjectName(QStringLiteral("exitNo"));
     m_exitQuestion->setDefaultButton(no);
     m_exitQuestion->setEscapeButton(no);
-    connect(yes, &QPushButton::clicked, this, [this] {
-        m_isExitConfirmed = true;
-        close();
-    });
+    connect(yes, &QPushButton::clicked, this, &MainWindow::endWithoutQuestion);
     m_exitQuestion->open();
 }
 

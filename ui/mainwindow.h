@@ -51,6 +51,8 @@ public Q_SLOTS:
     void raiseWindow();
     /// Hides a window that is seen, brings back one that is not.
     void toggle();
+    /// Ends the program as the system asks for it: whatever CanClose says, nobody is asked.
+    void endWithoutQuestion();
 
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.

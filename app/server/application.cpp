@@ -166,17 +166,16 @@ bool Application::shutdown()
     }
     m_isRunning = false;
     const QDeadlineTimer deadline(m_settings.config.timing.exitLimit);
-    bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit);
-    haveAllEnded = endThread(m_serversThread, deadline) && haveAllEnded;
-    haveAllEnded = endThread(m_printerThread, deadline) && haveAllEnded;
+    m_serversThread.quit();
+    m_printerThread.quit();
+    // A line that hangs in the system must leave time for the files.
+    bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit * 3 / 4);
     m_journal.add(JournalKind::Off, tr("Gorizont Server ended"));
-    return endThread(m_storageThread, QDeadlineTimer(m_settings.config.timing.exitLimit)) && haveAllEnded;
-}
-
-bool Application::endThread(QThread &thread, const QDeadlineTimer &deadline)
-{
-    thread.quit();
-    return thread.wait(deadline);
+    for (QThread *thread : {&m_storageThread, &m_serversThread, &m_printerThread}) {
+        thread->quit();
+        haveAllEnded = thread->wait(deadline) && haveAllEnded;
+    }
+    return haveAllEnded;
 }
 
 } // namespace gorizont

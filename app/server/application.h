@@ -41,8 +41,8 @@ public:
 
     void start();
 
-    /// Stop timers → interrupt lines → quit → wait (PExit) → flush storage. False: a thread did not end in time and the
-    /// process has to end hard. The second call does nothing.
+    /// Stop timers → interrupt lines → quit → flush storage → wait, all within PExit. False: a thread did not end in time
+    /// and the process has to end hard. The second call does nothing.
     bool shutdown();
 
 Q_SIGNALS:
@@ -57,7 +57,6 @@ private:
     void makePrinter();
     void tellComplaints();
     QString modbusText(QModbusDevice::State state) const;
-    bool endThread(QThread &thread, const QDeadlineTimer &deadline);
 
     ApplicationSettings m_settings;
     SensorRegistry m_registry;

@@ -101,7 +101,8 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
     QObject::connect(&window, &MainWindow::exitRequested, QCoreApplication::instance(), &QCoreApplication::quit);
-    QObject::connect(&signals_, &UnixSignals::terminated, QCoreApplication::instance(), &QCoreApplication::quit);
+    // Not quit() alone: that asks the windows, and CanClose=0 would ask the user.
+    QObject::connect(&signals_, &UnixSignals::terminated, &window, &MainWindow::endWithoutQuestion);
     application.start();
     window.showAtStart();
     return QApplication::exec();

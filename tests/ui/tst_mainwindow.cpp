@@ -249,6 +249,18 @@ private Q_SLOTS:
         QVERIFY(!m_window->isVisible());
     }
 
+    void theSystemIsNotAskedBack()
+    {
+        m_config.closesSilently = false;
+        open({});
+        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
+        QVERIFY(!m_window->close());
+        QVERIFY(find<QMessageBox>("exitQuestion")->isVisible()); // not even while a question is open
+        m_window->endWithoutQuestion();
+        QCOMPARE(ended.size(), 1);
+        QVERIFY(!m_window->isVisible());
+    }
+
     void closingIsSilentOtherwise()
     {
         QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);

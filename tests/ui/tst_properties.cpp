@@ -78,7 +78,37 @@ private Q_SLOTS:
                            "Status word | 0010 0100 0000 1111 : 1100 1100 0000 0000\n"
                            "Polling period, s | 1.002|0.031|00:00\n"
                            "Read errors | 3\n"
-                           "CRC errors | 2"));
+                           "CRC errors | 2\n"
+                           "Firmware version | —\n"
+                           "System clock | —\n"
+                           "Power of the heater | —\n"
+                           "Power of the fan | —\n"
+                           "Address and command of the transducer | —\n"
+                           "Response time of the transducer | —"));
+    }
+
+    /// CanInfo=1: what comes stands below the rows of the manual; a type that is not asked has no such rows.
+    void sensorThatSaysSomethingOfItself()
+    {
+        SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        DeviceInformation information;
+        information.number = 1;
+        information.firmware = QStringLiteral("2.3.12");
+        information.systemClock = 40'000'000;
+        information.heaterPower = 452;
+        information.innerTransducer = 513;
+        information.responseTime = 250;
+        registry.setInformation(information);
+        const SteadyTime now = std::chrono::steady_clock::now();
+        QCOMPARE(
+            text(sensorProperties(registry.sensors().front(), LineState::Open, now).mid(11)),
+            QStringLiteral("Firmware version | 2.3.12\n"
+                           "System clock | 40000000\n"
+                           "Power of the heater | 452\n"
+                           "Power of the fan | —\n"
+                           "Address and command of the transducer | 513\n"
+                           "Response time of the transducer | 250"));
+        QCOMPARE(sensorProperties(registry.sensors()[1], LineState::Open, now).size(), 11);
     }
 
     void sensorWithoutAnswer()
@@ -86,7 +116,7 @@ private Q_SLOTS:
         const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
         const Properties rows =
             sensorProperties(registry.sensors().front(), LineState::Opening, std::chrono::steady_clock::now());
-        QCOMPARE(rows.size(), 11);
+        QCOMPARE(rows.size(), 17);
         for (int row = 2; row <= 8; ++row) {
             QCOMPARE(rows.at(row).value, QStringLiteral("—"));
         }

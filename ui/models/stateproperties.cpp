@@ -1,5 +1,6 @@
 #include "ui/models/stateproperties.h"
 
+#include "ui/models/informationproperties.h"
 #include "ui/models/statetext.h"
 #include "ui/models/valuetext.h"
 
@@ -74,7 +75,7 @@ Properties portProperties(const SensorRegistry::Line &line, SteadyTime now)
 Properties sensorProperties(const SensorRegistry::Sensor &sensor, LineState line, SteadyTime now)
 {
     const Reading &reading = sensor.reading;
-    return {
+    Properties rows{
         {SensorPage::tr("Comment"), sensor.config.name, {}},
         {SensorPage::tr("State"), statetext::sensor(sensor, line), {}},
         {SensorPage::tr("Angles Mx, My, degrees (arc-seconds)"), valuetext::tilt(validTilt(reading)), {}},
@@ -93,6 +94,8 @@ Properties sensorProperties(const SensorRegistry::Sensor &sensor, LineState line
         {SensorPage::tr("Read errors"), QString::number(reading.counters.readErrors), {}},
         {SensorPage::tr("CRC errors"), QString::number(reading.counters.crcErrors), {}},
     };
+    rows += informationProperties(sensor);
+    return rows;
 }
 
 } // namespace gorizont

@@ -16,6 +16,8 @@ class TestConfigMistakes : public QObject
 private Q_SLOTS:
     void complainsOfEveryMistake();
     void goesOnAfterEveryMistake();
+    void numbersAreTooSmallOrTooLarge();
+    void textsHaveAnEnd();
     void keepsWhatWasReplaced();
     void sensorsThatAreOffTakeNothing();
     void absentNumbersGoRoundGivenOnes();
@@ -62,6 +64,30 @@ void TestConfigMistakes::goesOnAfterEveryMistake()
     QVERIFY(config.startsHidden);
     QCOMPARE(config.timing.crcErrorPause, 600ms);
     QCOMPARE(config.lines.at(0).com, 4);
+}
+
+void TestConfigMistakes::numbersAreTooSmallOrTooLarge()
+{
+    const ConfigReading reading = read("[Common]\n[Timers]\nTmRun=2147483648\nTmSave=0\n[Errors]\nNumRErrSrs=-1\n");
+    QCOMPARE(
+        complaintTexts(reading),
+        (QStringList{
+            u"[Timers] TmRun, line 3: “2147483648” is more than 2147483647. The default 1000 is used."_s,
+            u"[Timers] TmSave, line 4: “0” is less than 1. The default 1000 is used."_s,
+            u"[Errors] NumRErrSrs, line 6: “-1” is less than 1. The default 10 is used."_s}));
+    QVERIFY(reading.config.timing == Timing());
+}
+
+void TestConfigMistakes::textsHaveAnEnd()
+{
+    const ConfigReading good = read("[Common]\nCaption=" + QByteArray(4000, 'x'));
+    QCOMPARE(complaintTexts(good), QStringList());
+    QCOMPARE(good.config.caption.size(), 4000);
+    const ConfigReading endless = read("[Common]\nName=" + QByteArray(10'000'000, 'x'));
+    QCOMPARE(
+        complaintTexts(endless),
+        QStringList{u"[Common] Name, line 2: The text is longer than 4000 characters. Its beginning is used."_s});
+    QCOMPARE(endless.config.name.size(), 4000);
 }
 
 void TestConfigMistakes::keepsWhatWasReplaced()
