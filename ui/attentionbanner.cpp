@@ -16,12 +16,15 @@ AttentionBanner::AttentionBanner(AlarmWatch &alarms, QWidget *parent)
     , m_text(new QLabel(this))
 {
     setObjectName(QStringLiteral("attentionBanner"));
-    // Dark red with white text reads the same on light and on dark palettes.
-    setStyleSheet(QStringLiteral("#attentionBanner { background: #a4262c; } #attentionText { color: white; }"));
+    // Dark red with white reads the same on light and on dark palettes.
+    setStyleSheet(QStringLiteral("#attentionBanner { background: #a4262c; } #attentionText { color: white; } "
+                                 "#attentionIcon { background: white; border-radius: 9px; padding: 1px; }"));
     m_text->setObjectName(QStringLiteral("attentionText"));
     m_text->setTextFormat(Qt::PlainText); // names of sensors are what the ini says
     m_text->setWordWrap(true);
     auto *icon = new QLabel(this);
+    icon->setObjectName(QStringLiteral("attentionIcon"));
+    icon->setFixedSize(18, 18);
     icon->setPixmap(icons::state(Health::Error).pixmap(QSize(16, 16), devicePixelRatioF()));
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 4, 6, 4);

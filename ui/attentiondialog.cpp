@@ -11,6 +11,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSortFilterProxyModel>
 #include <QVBoxLayout>
 
@@ -39,7 +40,7 @@ AttentionDialog::AttentionDialog(const SensorRegistry &registry, AlarmWatch &ala
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view, 1);
     layout->addLayout(bottom);
-    resize(1150, 400);
+    resize(QSize(1250, 400).boundedTo(screen()->availableSize()));
 
     connect(m_accept, &QPushButton::clicked, this, &AttentionDialog::acceptSelected);
     connect(m_acceptAll, &QPushButton::clicked, this, &AttentionDialog::acceptAll);
@@ -70,9 +71,9 @@ void AttentionDialog::buildTable()
     line.com = 10;
     m_view->setColumnSample(AttentionModel::Began, QStringLiteral("00:00:00 00.00.00"));
     m_view->setColumnSample(AttentionModel::Subject, sensorTitle(sensor, line));
-    m_view->setColumnSample(AttentionModel::Place, QString(16, u'x'));
-    m_view->setColumnSample(AttentionModel::Meaning, QString(28, u'x'));
-    m_view->setElasticColumn(AttentionModel::Advice, QString(44, u'x'));
+    m_view->setColumnSample(AttentionModel::Place, QString(20, u'x'));
+    m_view->setColumnSample(AttentionModel::Meaning, QString(38, u'x'));
+    m_view->setElasticColumn(AttentionModel::Advice, QString(64, u'x'));
 
     auto *accept = new QAction(tr("&Accept"), m_view);
     accept->setObjectName(QStringLiteral("acceptAction"));

@@ -65,10 +65,9 @@ QString advice(const Alarm &alarm)
         return AlarmText::tr("Check the terminating resistor and the cable for interference, and that no two sensors "
                              "have the same address.");
     case StatusCode::TransducerSilent:
-        return AlarmText::tr("Check the supply voltage and the cable of the transducer, then switch the sensor off and "
-                             "on. If that does not help, it needs repair.");
-    case StatusCode::TransducerCrc:
-        return AlarmText::tr("Switch the sensor off and on. If that does not help, it needs repair.");
+        return AlarmText::tr("Check the supply voltage and the cable of the transducer, restart the sensor. If that "
+                             "does not help, it needs repair.");
+    case StatusCode::TransducerCrc: return AlarmText::tr("Restart the sensor. If that does not help, it needs repair.");
     case StatusCode::TransducerRange:
         return AlarmText::tr(
             "Look at the structure and at how the sensor is fixed: it is inclined or moves beyond what "

@@ -2,9 +2,12 @@
 #include "ui/attentiondialog.h"
 #include "ui/models/attentionmodel.h"
 
+#include "core/alarms/alarmtext.h"
 #include "core/alarms/alarmwatch.h"
+#include "core/values/statustext.h"
 #include "tests/ui/modeltext.h"
 #include "tests/ui/samplesite.h"
+#include "translations/translation.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemModelTester>
@@ -250,6 +253,43 @@ private Q_SLOTS:
         QCOMPARE(titles(sorted).first(), QStringLiteral("S10"));
     }
 
+    /// Two lines a row are enough for every message, however narrow the dialog is.
+    void nothingIsCutOff_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("ru") << QStringLiteral("ru");
+        QTest::newRow("en") << QStringLiteral("en");
+    }
+    void nothingIsCutOff()
+    {
+        QFETCH(QString, language);
+        QVERIFY(installTranslation(language));
+        AttentionDialog dialog(*m_registry, *m_alarms);
+        auto *table = dialog.findChild<QTableView *>(QStringLiteral("attentionTable"));
+        dialog.resize(400, 300);
+        dialog.show();
+        const auto cell = [table](int column) { return table->model()->index(0, column).data().toString(); };
+        const auto check = [&] {
+            for (int column = 0; column < AttentionModel::ColumnCount; ++column) {
+                const int width = table->columnWidth(column) - 2 * 8;
+                const QRect needed =
+                    table->fontMetrics().boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, cell(column));
+                QVERIFY2(needed.height() <= table->rowHeight(0) && needed.width() <= width, qPrintable(cell(column)));
+            }
+        };
+        for (int code = 3; code <= 11; ++code) {
+            fail(1, code << 12);
+            QTRY_COMPARE(cell(AttentionModel::Meaning), statusText(static_cast<StatusCode>(code)));
+            check();
+        }
+        for (const LineState state : {LineState::Lost, LineState::OpenFailed}) {
+            lose(1, state);
+            QTRY_COMPARE(cell(AttentionModel::Meaning), alarmtext::meaning(m_alarms->unacknowledged().first()));
+            QCOMPARE(cell(AttentionModel::Subject), QStringLiteral("COM4"));
+            check();
+        }
+    }
+
 private:
     void fail(int number, int status)
     {
@@ -258,11 +298,11 @@ private:
         m_registry->update({reading});
     }
     void mend(int number) { m_registry->update({test::tiltReading(number, 0, 0, std::chrono::steady_clock::now())}); }
-    void lose(int port)
+    void lose(int port, LineState state = LineState::Lost)
     {
         LineStatus lost;
         lost.port = port;
-        lost.state = LineState::Lost;
+        lost.state = state;
         m_registry->updateLine(lost);
     }
 
