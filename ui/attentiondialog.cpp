@@ -17,6 +17,12 @@
 
 namespace gorizont {
 
+namespace {
+
+constexpr int linesPerRow = 3; ///< what to do is a sentence, and a scaled screen is narrow
+
+} // namespace
+
 AttentionDialog::AttentionDialog(const SensorRegistry &registry, AlarmWatch &alarms, QWidget *parent)
     : QDialog(parent)
     , m_registry(registry)
@@ -40,7 +46,7 @@ AttentionDialog::AttentionDialog(const SensorRegistry &registry, AlarmWatch &ala
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view, 1);
     layout->addLayout(bottom);
-    resize(QSize(1250, 400).boundedTo(screen()->availableSize()));
+    resize(QSize(1060, 420).boundedTo(screen()->availableSize()));
 
     connect(m_accept, &QPushButton::clicked, this, &AttentionDialog::acceptSelected);
     connect(m_acceptAll, &QPushButton::clicked, this, &AttentionDialog::acceptAll);
@@ -60,9 +66,8 @@ void AttentionDialog::buildTable()
     m_view->setModel(m_sorted);
     m_view->setSortingEnabled(true);
     m_view->sortByColumn(AttentionModel::Began, Qt::DescendingOrder);
-    // Two lines a row: what to do is a sentence.
     m_view->setWordWrap(true);
-    m_view->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().lineSpacing() + 8);
+    m_view->verticalHeader()->setDefaultSectionSize(linesPerRow * fontMetrics().lineSpacing() + 8);
     SensorConfig sensor;
     sensor.model = QStringLiteral("AN-D3");
     sensor.number = 100;
@@ -71,9 +76,9 @@ void AttentionDialog::buildTable()
     line.com = 10;
     m_view->setColumnSample(AttentionModel::Began, QStringLiteral("00:00:00 00.00.00"));
     m_view->setColumnSample(AttentionModel::Subject, sensorTitle(sensor, line));
-    m_view->setColumnSample(AttentionModel::Place, QString(20, u'x'));
-    m_view->setColumnSample(AttentionModel::Meaning, QString(38, u'x'));
-    m_view->setElasticColumn(AttentionModel::Advice, QString(64, u'x'));
+    m_view->setColumnSample(AttentionModel::Place, QString(16, u'x'));
+    m_view->setColumnSample(AttentionModel::Meaning, QString(24, u'x'));
+    m_view->setElasticColumn(AttentionModel::Advice, QString(44, u'x'));
 
     auto *accept = new QAction(tr("&Accept"), m_view);
     accept->setObjectName(QStringLiteral("acceptAction"));

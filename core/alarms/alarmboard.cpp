@@ -27,9 +27,9 @@ AlarmBoard::AlarmBoard(const QList<LineConfig> &lines)
             continue;
         }
         Line line{config};
-        for (const SensorConfig &sensor : config.sensors) {
-            if (sensor.isOn) {
-                m_sensors.insert(sensor.number, Sensor{sensor, config.index});
+        for (int i = 0; i < static_cast<int>(config.sensors.size()); ++i) {
+            if (config.sensors.at(i).isOn) {
+                m_sensors.insert(config.sensors.at(i).number, Sensor{config.index, i});
                 ++line.watchedSensors;
             }
         }
@@ -67,12 +67,13 @@ void AlarmBoard::updateSensor(Sensor &sensor, StatusCode code, UtcTime now, Chan
     if (code == StatusCode::Good) {
         return;
     }
+    const SensorConfig &config = line.config.sensors.at(sensor.position);
     Alarm alarm;
     alarm.port = sensor.port;
-    alarm.number = sensor.config.number;
+    alarm.number = config.number;
     alarm.code = code;
-    alarm.title = sensorTitle(sensor.config, line.config);
-    alarm.place = sensor.config.place;
+    alarm.title = sensorTitle(config, line.config);
+    alarm.place = config.place;
     alarm.began = now;
     raise(std::move(alarm), sensor.alarm, change);
 }

@@ -46,10 +46,11 @@ private:
         LineState state = LineState::Opening;
         quint64 alarm = 0; ///< 0: none stands
     };
+    /// Small, because every reading looks one up.
     struct Sensor
     {
-        SensorConfig config;
         int port = 0; ///< LineConfig::index
+        int position = 0; ///< in LineConfig::sensors
         StatusCode code = StatusCode::Good; ///< of the alarm that stands; Good: none
         quint64 alarm = 0; ///< 0: none stands
     };

@@ -253,7 +253,7 @@ private Q_SLOTS:
         QCOMPARE(titles(sorted).first(), QStringLiteral("S10"));
     }
 
-    /// Two lines a row are enough for every message, however narrow the dialog is.
+    /// A row has room for every message, however narrow the dialog is.
     void nothingIsCutOff_data()
     {
         QTest::addColumn<QString>("language");
