@@ -18,11 +18,12 @@ ROOMS = {
     DEVICES: ["core/values", "core/protocol", "core/line"],
     "core/engine": ["core/values", "core/line", "core/devices/driver.h", "core/devices/drivercatalog.h"],
     "core/registry": ["core/values"],
+    "core/alarms": ["core/values", "core/config", "core/registry"],
     "core/history": ["core/values", "core/config", "core/registry"],
     "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
-    "ui": ["core/values", "core/config", "core/registry", "core/engine/lineworker.h", "resources"],
+    "ui": ["core/values", "core/config", "core/registry", "core/alarms", "core/engine/lineworker.h", "resources"],
     "app": ["core", "ui", "translations", "resources"],
     "tests": ["app", "core", "ui", "tests", "translations"],
 }

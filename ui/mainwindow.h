@@ -17,7 +17,9 @@ class QTimer;
 
 namespace gorizont {
 
+class AlarmWatch;
 class AttentionBanner;
+class AttentionDialog;
 class InfoPanel;
 class SiteTree;
 class StatePanel;
@@ -29,10 +31,10 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    /// Registry and journal outlive the window.
+    /// Registry, journal and alarms outlive the window.
     MainWindow(
-        SensorRegistry &registry, Journal &journal, const ServerConfig &config, const QList<Complaint> &complaints,
-        QWidget *parent = nullptr);
+        SensorRegistry &registry, Journal &journal, AlarmWatch &alarms, const ServerConfig &config,
+        const QList<Complaint> &complaints, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     /// CanHide=1: stays in the tray, or starts minimised where there is no tray.
@@ -49,6 +51,8 @@ public Q_SLOTS:
     /// State of the Modbus server for the status bar.
     void setServerStatus(const QString &text);
     void raiseWindow();
+    /// The list of messages for the dispatcher.
+    void showAttention();
     /// Hides a window that is seen, brings back one that is not.
     void toggle();
     /// Ends the program as the system asks for it: whatever CanClose says, nobody is asked.
@@ -81,12 +85,14 @@ private:
     void askExit();
 
     SensorRegistry &m_registry;
+    AlarmWatch &m_alarms;
     const ServerConfig m_config;
     QList<Complaint> m_complaints; ///< not shown yet
     QPointer<QMessageBox> m_exitQuestion; ///< while it waits for an answer
 
     SiteTree *m_tree = nullptr;
     AttentionBanner *m_banner = nullptr;
+    AttentionDialog *m_attention = nullptr; ///< made when it is first wanted
     StatePanel *m_state = nullptr;
     InfoPanel *m_info = nullptr;
     QSplitter *m_columns = nullptr;

@@ -33,7 +33,7 @@ QSettings windowSettings()
 void MainWindow::buildPanels(Journal &journal)
 {
     m_tree = new SiteTree(m_registry, this);
-    m_banner = new AttentionBanner(this);
+    m_banner = new AttentionBanner(m_alarms, this);
     m_state = new StatePanel(m_registry, this);
     m_info = new InfoPanel(m_registry, journal, m_config, this);
     m_rows = new QSplitter(Qt::Vertical, this);
@@ -89,6 +89,7 @@ void MainWindow::buildMenus()
     addGoAction(view, tr("Se&ttings"), 5, [this] { m_info->setCurrentIndex(0); });
     addGoAction(view, tr("&Measurements"), 6, [this] { m_info->setCurrentIndex(1); });
     addGoAction(view, tr("&Journal"), 7, [this] { m_info->setCurrentIndex(2); });
+    addGoAction(view, tr("Messages for the &dispatcher"), 8, [this] { showAttention(); });
     view->addSeparator();
     QAction *find = view->addAction(tr("&Find a sensor"), m_tree, &SiteTree::startSearch);
     find->setObjectName(QStringLiteral("findAction"));

@@ -65,10 +65,4 @@ void StatePanel::showSensors()
     setCurrentWidget(m_sensors);
 }
 
-void StatePanel::showWorstSensors()
-{
-    showSensors();
-    m_sensors->sortByStatus();
-}
-
 } // namespace gorizont

@@ -27,7 +27,6 @@ public:
 
     void showPorts();
     void showSensors();
-    void showWorstSensors();
 
 Q_SIGNALS:
     void chosen(gorizont::SiteItem item);

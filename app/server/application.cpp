@@ -48,11 +48,13 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     : QObject(parent)
     , m_settings(settings)
     , m_registry(settings.config.lines, statusRules(settings.config))
+    , m_alarms(m_registry)
     , m_acquisition(acquisitionSettings(settings), m_registry, m_journal)
 {
     m_storageThread.setObjectName(QStringLiteral("storage"));
     m_serversThread.setObjectName(QStringLiteral("servers"));
     m_printerThread.setObjectName(QStringLiteral("printer"));
+    connect(&m_alarms, &AlarmWatch::journal, &m_journal, &Journal::append);
     makeHistory();
     if (settings.config.servesModbus) {
         makeModbus();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/server/acquisition.h"
+#include "core/alarms/alarmwatch.h"
 #include "core/config/serverconfig.h"
 
 #include <QModbusDevice>
@@ -38,6 +39,7 @@ public:
 
     SensorRegistry &registry() { return m_registry; }
     Journal &journal() { return m_journal; }
+    AlarmWatch &alarms() { return m_alarms; }
 
     void start();
 
@@ -61,6 +63,7 @@ private:
     ApplicationSettings m_settings;
     SensorRegistry m_registry;
     Journal m_journal;
+    AlarmWatch m_alarms;
     Acquisition m_acquisition;
     QThread m_storageThread;
     QThread m_serversThread;

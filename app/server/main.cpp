@@ -95,8 +95,10 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
 {
     QApplication::setQuitOnLastWindowClosed(false);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gorizont.svg")));
-    MainWindow window(application.registry(), application.journal(), site.reading.config, site.reading.complaints);
-    const TrayIcon tray(window, application.registry());
+    MainWindow window(
+        application.registry(), application.journal(), application.alarms(), site.reading.config,
+        site.reading.complaints);
+    const TrayIcon tray(window, application.registry(), application.alarms());
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);

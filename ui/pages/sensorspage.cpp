@@ -51,10 +51,4 @@ void SensorsPage::refresh(SteadyTime now)
     m_model->refresh(rows.first, rows.last);
 }
 
-void SensorsPage::sortByStatus()
-{
-    m_view->sortByColumn(SensorModel::Status, Qt::DescendingOrder);
-    m_view->scrollToTop();
-}
-
 } // namespace gorizont
