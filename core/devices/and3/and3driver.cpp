@@ -16,7 +16,6 @@ Q_LOGGING_CATEGORY(logDevice, "gorizont.device.and3", QtInfoMsg)
 
 using namespace std::chrono_literals;
 
-constexpr auto leastSilence = 10ms; ///< between any two exchanges, packet reads included (observed)
 constexpr auto firmwarePeriod = 60s;
 
 /// A quantity that the sensor calls not ready is absent.

@@ -49,7 +49,11 @@ public:
 private:
     Result<QByteArray> exchange(Line &line, const Request &request) const;
     Result<void> tell(Line &line, const Request &request) const;
-    Result<Configuration> readTemporary(Line &line, int address) const;
+    Result<ComplexRead> askValues(Line &line, int address) const;
+    Result<Configuration> askConfiguration(Line &line, quint8 address, ConfigurationKind kind) const;
+    Result<void> isHeld(Line &line, quint8 address, ConfigurationKind kind, const Configuration &expected) const;
+    Result<Configuration> checkedCopy(Line &line, quint8 address) const;
+    AddressChange store(Line &line, quint8 address, const Configuration &wanted, int unanswered) const;
 
     Timing m_timing;
 };

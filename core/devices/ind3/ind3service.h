@@ -67,14 +67,21 @@ public:
     Result<void> changeAddress(Line &line, int address, int newAddress) const;
 
 private:
+    template <typename T> using Decode = Result<T> (*)(QByteArrayView answer);
+
     Result<QByteArray> exchange(Line &line, const std::optional<Request> &request) const;
+    template <typename T> Result<T> question(Line &line, const std::optional<Request> &request, Decode<T> decode) const;
+    template <typename T> Result<T> ask(Line &line, const std::optional<Request> &request, Decode<T> decode) const;
     Result<Tilt> askTilt(Line &line, int address) const;
+    Result<void> readVersion(Line &line, Settings &settings) const;
     Result<Settings> read211(Line &line, int address) const;
     Result<Settings> readModbus(Line &line, int address) const;
     Result<void> writeOne(Line &line, int address, const Changes &changes, Setting setting) const;
     std::optional<Request> setRequest(int address, const Changes &changes, Setting setting) const;
-    Result<bool> holds(Line &line, int address, const Changes &changes, Setting setting) const;
-    Result<void> confirm(QByteArrayView answer) const;
+    Result<void> confirmed(const Result<QByteArray> &answer) const;
+    Result<void> isHeld(Line &line, int address, const Changes &changes, Setting setting) const;
+    std::optional<Request> addressRequest(int address, int newAddress) const;
+    Result<bool> answersSteadily(Line &line, int address) const;
 
     Timing m_timing;
     Dialect m_dialect;
