@@ -1,36 +1,15 @@
 #include "core/devices/ind3/ind3service.h"
 
-#include "core/devices/attempts.h"
 #include "core/devices/ind3/ind3modbus.h"
 #include "core/devices/ind3/ind3protocol210.h"
 #include "core/protocol/modbusrtu.h"
 
 #include <array>
-#include <cmath>
+#include <functional>
 
 namespace gorizont::ind3 {
 
 namespace {
-
-/// What the sensor keeps of an offset that it was sent: 2.11 has 1/256″. The map of Modbus does not say in which unit
-/// the sensor keeps its thousandths, so there the same step is granted.
-constexpr double offsetStep = 1.0 / 256; ///< arc-seconds
-
-bool isSameOffset(const Tilt &left, const Tilt &right)
-{
-    return std::abs(left.x - right.x) < offsetStep && std::abs(left.y - right.y) < offsetStep;
-}
-
-bool has(const Changes &changes, Setting setting)
-{
-    switch (setting) {
-    case Setting::Name: return changes.name.has_value();
-    case Setting::Offset: return changes.offset.has_value();
-    case Setting::Ticks: return changes.ticks.has_value();
-    case Setting::Period: return changes.period.has_value();
-    }
-    return false;
-}
 
 Result<void> withoutValue(const Result<Tilt> &result)
 {
@@ -74,21 +53,6 @@ Result<QByteArray> Service::exchange(Line &line, const std::optional<Request> &r
          .writeTimeout = m_timing.writeCommand,
          .readTimeout = m_timing.readCommand,
          .quietBefore = m_dialect == Dialect::Modbus ? modbusrtu::frameSilence : std::chrono::microseconds(0)});
-}
-
-/// One question; \a decode reads its answer.
-template <typename T>
-Result<T> Service::question(
-    Line &line, const std::optional<Request> &request, Result<T> (*decode)(QByteArrayView)) const
-{
-    const auto answer = exchange(line, request);
-    return answer ? decode(*answer) : Result<T>(answer.fault());
-}
-
-template <typename T>
-Result<T> Service::ask(Line &line, const std::optional<Request> &request, Result<T> (*decode)(QByteArrayView)) const
-{
-    return withAttempts([&] { return question(line, request, decode); });
 }
 
 Result<Tilt> Service::askTilt(Line &line, int address) const
@@ -178,58 +142,6 @@ Result<Settings> Service::readModbus(Line &line, int address) const
     return settings;
 }
 
-QList<Outcome> Service::write(Line &line, int address, const Changes &changes) const
-{
-    QList<Outcome> outcomes;
-    for (const Setting setting : {Setting::Name, Setting::Offset, Setting::Ticks, Setting::Period}) {
-        if (!has(changes, setting)) {
-            continue;
-        }
-        outcomes.append({setting, writeOne(line, address, changes, setting)});
-        const Result<void> &written = outcomes.constLast().written;
-        if (!written && isLineFault(written.fault())) {
-            break;
-        }
-    }
-    return outcomes;
-}
-
-/// What was written counts by what is read back: an answer may be lost, and so may the request.
-Result<void> Service::writeOne(Line &line, int address, const Changes &changes, Setting setting) const
-{
-    const auto sent = withAttempts([&] { return confirmed(exchange(line, setRequest(address, changes, setting))); });
-    if (!sent && !isWorthAnother(sent.fault())) {
-        return sent;
-    }
-    bool wasRead = false;
-    Result<void> held = Fault::Timeout;
-    for (int i = 0; i < mostAttempts && !held && isWorthAnother(held.fault());
-         ++i) { // a late answer tells the old value
-        held = isHeld(line, address, changes, setting);
-        wasRead = wasRead || (!held && held.fault() == Fault::BadReply);
-    }
-    return !held && held.fault() == Fault::Timeout && wasRead ? Result<void>(Fault::BadReply) : held;
-}
-
-/// Empty: out of range, or a setting that the protocol does not have.
-std::optional<Request> Service::setRequest(int address, const Changes &changes, Setting setting) const
-{
-    const bool isModbus = m_dialect == Dialect::Modbus;
-    if (m_dialect == Dialect::V210) {
-        return std::nullopt;
-    }
-    switch (setting) {
-    case Setting::Name: return isModbus ? std::nullopt : setName(address, *changes.name);
-    case Setting::Offset:
-        return isModbus ? modbus::setOffset(address, *changes.offset) : setOffset(address, *changes.offset);
-    case Setting::Ticks:
-        return isModbus ? modbus::setTicks(address, *changes.ticks) : setTicks(address, *changes.ticks);
-    case Setting::Period:
-        return isModbus ? modbus::setPeriod(address, *changes.period) : setPeriod(address, *changes.period);
-    }
-    return std::nullopt;
-}
-
 /// 2.11 answers to a setting with an empty frame, Modbus may answer with an exception.
 Result<void> Service::confirmed(const Result<QByteArray> &answer) const
 {
@@ -237,41 +149,6 @@ Result<void> Service::confirmed(const Result<QByteArray> &answer) const
         return answer.fault();
     }
     return m_dialect == Dialect::Modbus ? modbusrtu::confirmation(*answer) : Result<void>();
-}
-
-/// One question; BadReply: the sensor holds another value.
-Result<void> Service::isHeld(Line &line, int address, const Changes &changes, Setting setting) const
-{
-    const auto compare = [](const auto &read, const auto &isSame) -> Result<void> {
-        if (!read) {
-            return read.fault();
-        }
-        return isSame(*read) ? Result<void>() : Result<void>(Fault::BadReply);
-    };
-    const bool isModbus = m_dialect == Dialect::Modbus;
-    const auto about = [address](Packet packet) { return ind3::ask(packet, address); };
-    const auto isOffset = [&](const Tilt &offset) { return isSameOffset(offset, *changes.offset); };
-    const auto isTicks = [&](int ticks) { return ticks == *changes.ticks; };
-    const auto isPeriod = [&](std::chrono::milliseconds period) { return period == *changes.period; };
-    if (isModbus && setting == Setting::Offset) {
-        return compare(question(line, modbus::readOwnOffset(address), modbus::decodeOwnOffset), isOffset);
-    }
-    if (isModbus) {
-        const auto isSame = [&](const modbus::Settings &read) {
-            return setting == Setting::Ticks ? isTicks(read.ticks) : isPeriod(read.period);
-        };
-        return compare(question(line, modbus::readSettings(address), modbus::decodeSettings), isSame);
-    }
-    switch (setting) {
-    case Setting::Name:
-        return compare(question(line, about(Packet::GetName), decodeNameAnswer), [&](const QString &name) {
-            return name == *changes.name;
-        });
-    case Setting::Offset: return compare(question(line, about(Packet::GetOffset), decodeOffset), isOffset);
-    case Setting::Ticks: return compare(question(line, about(Packet::GetTicks), decodeTicks), isTicks);
-    case Setting::Period: return compare(question(line, about(Packet::GetPeriod), decodePeriod), isPeriod);
-    }
-    return Fault::Refused;
 }
 
 Result<void> Service::changeAddress(Line &line, int address, int newAddress) const
@@ -316,7 +193,7 @@ Result<bool> Service::answersSteadily(Line &line, int address) const
 {
     for (int i = 0; i < mostAttempts; ++i) {
         const auto heard = probe(line, address);
-        if (!heard && (isLineFault(heard.fault()))) {
+        if (!heard && isLineFault(heard.fault())) {
             return heard.fault();
         }
         if (!heard && heard.fault() == Fault::Timeout) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/devices/attempts.h"
 #include "core/devices/ind3/ind3dialect.h"
 #include "core/devices/ind3/ind3protocol.h"
 #include "core/devices/ind3/ind3values.h"
@@ -70,8 +71,16 @@ private:
     template <typename T> using Decode = Result<T> (*)(QByteArrayView answer);
 
     Result<QByteArray> exchange(Line &line, const std::optional<Request> &request) const;
-    template <typename T> Result<T> question(Line &line, const std::optional<Request> &request, Decode<T> decode) const;
-    template <typename T> Result<T> ask(Line &line, const std::optional<Request> &request, Decode<T> decode) const;
+    /// One question; \a decode reads its answer.
+    template <typename T> Result<T> question(Line &line, const std::optional<Request> &request, Decode<T> decode) const
+    {
+        const auto answer = exchange(line, request);
+        return answer ? decode(*answer) : Result<T>(answer.fault());
+    }
+    template <typename T> Result<T> ask(Line &line, const std::optional<Request> &request, Decode<T> decode) const
+    {
+        return withAttempts([&] { return question(line, request, decode); });
+    }
     Result<Tilt> askTilt(Line &line, int address) const;
     Result<void> readVersion(Line &line, Settings &settings) const;
     Result<Settings> read211(Line &line, int address) const;
@@ -80,6 +89,7 @@ private:
     std::optional<Request> setRequest(int address, const Changes &changes, Setting setting) const;
     Result<void> confirmed(const Result<QByteArray> &answer) const;
     Result<void> isHeld(Line &line, int address, const Changes &changes, Setting setting) const;
+    Result<void> isHeldModbus(Line &line, int address, const Changes &changes, Setting setting) const;
     std::optional<Request> addressRequest(int address, int newAddress) const;
     Result<bool> answersSteadily(Line &line, int address) const;
 
