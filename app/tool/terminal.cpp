@@ -1,0 +1,64 @@
+#include "app/tool/terminal.h"
+
+#include <QStringList>
+
+#include <array>
+#include <cstdio>
+
+#ifdef Q_OS_WIN
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace gorizont::tool {
+
+namespace {
+
+bool isTerminal(std::FILE *file)
+{
+#ifdef Q_OS_WIN
+    return _isatty(_fileno(file)) != 0;
+#else
+    return ::isatty(::fileno(file)) != 0;
+#endif
+}
+
+} // namespace
+
+bool isInputTerminal()
+{
+    return isTerminal(stdin);
+}
+
+bool isErrorTerminal()
+{
+    return isTerminal(stderr);
+}
+
+bool askYesNo(const QString &question)
+{
+    static const QStringList yes{QStringLiteral("y"), QStringLiteral("yes"), QStringLiteral("д"), QStringLiteral("да")};
+    std::fprintf(stderr, "%s [y/N] ", qPrintable(question));
+    std::fflush(stderr);
+    std::array<char, 64> line{};
+    if (!std::fgets(line.data(), static_cast<int>(line.size()), stdin)) {
+        std::fputc('\n', stderr);
+        return false;
+    }
+    return yes.contains(QString::fromLocal8Bit(line.data()).trimmed().toLower());
+}
+
+void showProgress(const QString &text)
+{
+    static qsizetype shown = 0;
+    if (!isErrorTerminal()) {
+        return;
+    }
+    const QString wiped = text.leftJustified(shown);
+    std::fprintf(stderr, text.isEmpty() ? "\r%s\r" : "\r%s", qPrintable(wiped));
+    std::fflush(stderr);
+    shown = text.size();
+}
+
+} // namespace gorizont::tool
