@@ -13,25 +13,10 @@ static_assert(std::atomic<Line *>::is_always_lock_free && std::atomic_bool::is_a
 /// Line::interrupt() only stores an atomic, so it is allowed here.
 extern "C" void onInterrupt(int number)
 {
-#ifdef Q_OS_WIN
-    std::signal(number, onInterrupt); // Windows forgets it
-#else
-    static_cast<void>(number);
-#endif
+    std::signal(number, onInterrupt); // some systems forget it
     if (Line *line = interruptible.load()) {
         line->interrupt();
     }
-}
-
-void handle(int number)
-{
-#ifdef Q_OS_WIN
-    std::signal(number, onInterrupt);
-#else
-    struct sigaction action = {};
-    action.sa_handler = onInterrupt; // without SA_RESTART: a question to the user ends, too
-    sigaction(number, &action, nullptr);
-#endif
 }
 
 } // namespace
@@ -39,8 +24,8 @@ void handle(int number)
 Interruption::Interruption(Line &line)
 {
     interruptible = &line;
-    handle(SIGINT);
-    handle(SIGTERM);
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
 }
 
 Interruption::~Interruption()

@@ -78,7 +78,7 @@ ExitCode Session::fail(Fault fault, int address) const
 
 bool Session::isAgreed(const QString &question) const
 {
-    return m_options.isYes || (askYesNo(question) && !m_line.isInterrupted());
+    return m_options.isYes || askYesNo(question, [this] { return m_line.isInterrupted(); });
 }
 
 bool Session::wait(std::chrono::milliseconds time) const

@@ -8,6 +8,7 @@
 #ifdef Q_OS_WIN
 #include <io.h>
 #else
+#include <poll.h>
 #include <unistd.h>
 #endif
 
@@ -24,6 +25,21 @@ bool isTerminal(std::FILE *file)
 #endif
 }
 
+/// False: \a isInterrupted said so first. Looked at in slices, because a signal may come just before the wait.
+bool waitForInput([[maybe_unused]] const std::function<bool()> &isInterrupted)
+{
+#ifndef Q_OS_WIN
+    constexpr int sliceMs = 100;
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    while (::poll(&input, 1, sliceMs) <= 0) {
+        if (isInterrupted()) {
+            return false;
+        }
+    }
+#endif
+    return true;
+}
+
 } // namespace
 
 bool isInputTerminal()
@@ -36,13 +52,13 @@ bool isErrorTerminal()
     return isTerminal(stderr);
 }
 
-bool askYesNo(const QString &question)
+bool askYesNo(const QString &question, const std::function<bool()> &isInterrupted)
 {
     static const QStringList yes{QStringLiteral("y"), QStringLiteral("yes"), QStringLiteral("д"), QStringLiteral("да")};
     std::fprintf(stderr, "%s [y/N] ", qPrintable(question));
     std::fflush(stderr);
     std::array<char, 64> line{};
-    if (!std::fgets(line.data(), static_cast<int>(line.size()), stdin)) {
+    if (!waitForInput(isInterrupted) || !std::fgets(line.data(), static_cast<int>(line.size()), stdin)) {
         std::fputc('\n', stderr);
         return false;
     }
