@@ -44,7 +44,7 @@ void showFound(const Session &session, int address)
 /// Where the change stopped, and what that means for the sensor.
 QString addressSentence(const AddressChange &change, int newAddress)
 {
-    const QString fault = faultName(change.result.fault());
+    const QString fault = faultText(change.result.fault());
     switch (change.step) {
     case AddressStep::Probe:
         return change.result.fault() == Fault::Refused
@@ -141,7 +141,7 @@ ExitCode setAddress(Session &session)
         return session.fail(
             done.fault(),
             Text::tr("the new address is stored, but the sensor does not answer there (%1); scan the line")
-                .arg(faultName(done.fault())),
+                .arg(faultText(done.fault())),
             object);
     }
     object.insert(u"done"_s, true);
@@ -159,7 +159,7 @@ ExitCode reset(Session &session)
     const QJsonObject object = session.outcome(u"reset"_s, static_cast<bool>(done));
     if (!done) {
         return session.fail(
-            done.fault(), Text::tr("the sensor does not answer (%1)").arg(faultName(done.fault())), object);
+            done.fault(), Text::tr("the sensor does not answer (%1)").arg(faultText(done.fault())), object);
     }
     session.tell(Text::tr("The sensor has restarted and answers."), object);
     return ExitGood;

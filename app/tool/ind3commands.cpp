@@ -41,7 +41,7 @@ void showFound(const Session &session, int address)
     }
 }
 
-QString settingName(Setting setting)
+QString settingKey(Setting setting)
 {
     switch (setting) {
     case Setting::Name: return u"name"_s;
@@ -52,20 +52,31 @@ QString settingName(Setting setting)
     return {};
 }
 
+QString settingTitle(Setting setting)
+{
+    switch (setting) {
+    case Setting::Name: return Text::tr("name");
+    case Setting::Offset: return Text::tr("zero offset");
+    case Setting::Ticks: return Text::tr("averaging ticks");
+    case Setting::Period: return Text::tr("averaging period");
+    }
+    return {};
+}
+
 ExitCode report(const Session &session, const Outcome &outcome)
 {
-    const QString name = settingName(outcome.setting);
-    const QJsonObject object = session.outcome(name, static_cast<bool>(outcome.written));
+    const QString title = settingTitle(outcome.setting);
+    const QJsonObject object = session.outcome(settingKey(outcome.setting), static_cast<bool>(outcome.written));
     if (outcome.written) {
-        session.tell(Text::tr("%1: written and read back").arg(name), object);
+        session.tell(Text::tr("%1: written and read back").arg(title), object);
         return ExitGood;
     }
     const Fault fault = outcome.written.fault();
     if (fault == Fault::BadReply) {
-        session.fail(fault, Text::tr("%1: the sensor has not taken the new value").arg(name), object);
+        session.fail(fault, Text::tr("%1: the sensor has not taken the new value").arg(title), object);
         return ExitRefused;
     }
-    return session.fail(fault, Text::tr("%1: not written (%2)").arg(name, faultName(fault)), object);
+    return session.fail(fault, Text::tr("%1: not written (%2)").arg(title, faultText(fault)), object);
 }
 
 ExitCode write(const Session &session, const Changes &changes, const QString &question)
@@ -91,7 +102,7 @@ QString addressSentence(Fault fault, int address, int newAddress)
     case Fault::BadReply: return Text::tr("the sensor still answers at address %1").arg(address);
     case Fault::Timeout:
         return Text::tr("no answer, neither at address %1 nor at %2; scan the line").arg(address).arg(newAddress);
-    default: return Text::tr("what became of the address is not known (%1); scan the line").arg(faultName(fault));
+    default: return Text::tr("what became of the address is not known (%1); scan the line").arg(faultText(fault));
     }
 }
 

@@ -16,7 +16,7 @@ void showUnclear(const Session &session, int address, Fault fault)
     session.tell(
         Text::tr("%1  somebody answers, but not clearly (%2); two sensors with one address?")
             .arg(address, 3)
-            .arg(faultName(fault)),
+            .arg(faultText(fault)),
         object);
 }
 

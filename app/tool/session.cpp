@@ -34,6 +34,19 @@ ExitCode exitCodeOf(Fault fault)
     return fault == Fault::Refused || fault == Fault::Cancelled ? ExitRefused : ExitNoAnswer;
 }
 
+QString faultText(Fault fault)
+{
+    switch (fault) {
+    case Fault::Timeout: return Text::tr("no answer");
+    case Fault::Checksum: return Text::tr("damaged answers");
+    case Fault::BadReply: return Text::tr("answers without sense");
+    case Fault::Refused: return Text::tr("refused");
+    case Fault::Closed: return Text::tr("the port is lost");
+    case Fault::Cancelled: return Text::tr("interrupted");
+    }
+    return {};
+}
+
 QJsonObject Session::object(int address) const
 {
     const bool isInd3 = m_options.device == Device::Ind3;

@@ -46,4 +46,7 @@ private:
 
 ExitCode exitCodeOf(Fault fault);
 
+/// A word or two for the user.
+QString faultText(Fault fault);
+
 } // namespace gorizont::tool
