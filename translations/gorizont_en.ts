@@ -21,4 +21,28 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>gorizont::tool::Text</name>
+    <message numerus="yes">
+        <source>address %1, %n sensor(s) found</source>
+        <translation>
+            <numerusform>address %1, %n sensor found</numerusform>
+            <numerusform>address %1, %n sensors found</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) found</source>
+        <translation>
+            <numerusform>%n sensor found</numerusform>
+            <numerusform>%n sensors found</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) asked</source>
+        <translation>
+            <numerusform>%n address asked</numerusform>
+            <numerusform>%n addresses asked</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1536,4 +1536,539 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>В&amp;ыход</translation>
     </message>
 </context>
+<context>
+    <name>gorizont::tool::Text</name>
+    <message>
+        <source>address %1 is taken; nothing was changed</source>
+        <translation>адрес %1 занят; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>nothing was changed (%1)</source>
+        <translation>ничего не изменено (%1)</translation>
+    </message>
+    <message>
+        <source>the configuration of the sensor is not as expected; nothing was stored</source>
+        <translation>конфигурация датчика не такая, как ожидалось; ничего не записано</translation>
+    </message>
+    <message>
+        <source>nothing was stored (%1)</source>
+        <translation>ничего не записано (%1)</translation>
+    </message>
+    <message>
+        <source>whether the new address was stored is not known (%1); the old one holds until a restart</source>
+        <translation>неизвестно, записан ли новый адрес (%1); до сброса действует прежний</translation>
+    </message>
+    <message>
+        <source>the sensor restarts, about %1 s…</source>
+        <translation>датчик перезапускается, около %1 с…</translation>
+    </message>
+    <message>
+        <source>Store the address %2 in the sensor with address %1?</source>
+        <translation>Записать в датчик с адресом %1 новый адрес %2?</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>ничего не записано</translation>
+    </message>
+    <message>
+        <source>The address is stored. Restart the sensor, so that it holds?</source>
+        <translation>Адрес записан. Сбросить датчик, чтобы он подействовал?</translation>
+    </message>
+    <message>
+        <source>the new address is stored and holds after the next restart</source>
+        <translation>новый адрес записан и подействует после следующего сброса</translation>
+    </message>
+    <message>
+        <source>the new address is stored, but the sensor does not answer there (%1); scan the line</source>
+        <translation>новый адрес записан, но датчик по нему не отвечает (%1); выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>The sensor now answers at address %1.</source>
+        <translation>Датчик теперь отвечает по адресу %1.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor with address %1?</source>
+        <translation>Сбросить датчик с адресом %1?</translation>
+    </message>
+    <message>
+        <source>nothing was done</source>
+        <translation>ничего не сделано</translation>
+    </message>
+    <message>
+        <source>the sensor does not answer (%1)</source>
+        <translation>датчик не отвечает (%1)</translation>
+    </message>
+    <message>
+        <source>The sensor has restarted and answers.</source>
+        <translation>Датчик перезапустился и отвечает.</translation>
+    </message>
+    <message>
+        <source>Address: %1</source>
+        <translation>Адрес: %1</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, build %2</source>
+        <translation>Прошивка: %1, сборка %2</translation>
+    </message>
+    <message>
+        <source>Tilt X: %1″</source>
+        <translation>Угол X: %1″</translation>
+    </message>
+    <message>
+        <source>Tilt Y: %1″</source>
+        <translation>Угол Y: %1″</translation>
+    </message>
+    <message>
+        <source>Temperature: %1 °C</source>
+        <translation>Температура: %1 °C</translation>
+    </message>
+    <message>
+        <source>Fan: %1 1/s</source>
+        <translation>Вентилятор: %1 1/с</translation>
+    </message>
+    <message>
+        <source>Heater: %1 %</source>
+        <translation>Нагрев: %1 %</translation>
+    </message>
+    <message>
+        <source>Measurements since the start: %1</source>
+        <translation>Измерений с запуска: %1</translation>
+    </message>
+    <message>
+        <source>Configuration: %1</source>
+        <translation>Конфигурация: %1</translation>
+    </message>
+    <message>
+        <source>firmware %1, build %2</source>
+        <translation>прошивка %1, сборка %2</translation>
+    </message>
+    <message>
+        <source>looks for sensors at the addresses 1…255</source>
+        <translation>ищет датчики по адресам 1…255</translation>
+    </message>
+    <message>
+        <source>prints what the sensor measures</source>
+        <translation>печатает измерения датчика</translation>
+    </message>
+    <message>
+        <source>prints what the sensor is and its settings</source>
+        <translation>печатает сведения о датчике и его настройки</translation>
+    </message>
+    <message>
+        <source>gives the sensor another address; an АН-Д3 is restarted</source>
+        <translation>меняет адрес датчика; АН-Д3 при этом сбрасывается</translation>
+    </message>
+    <message>
+        <source>writes the name, at most 16 characters; not in Modbus</source>
+        <translation>записывает имя, не больше 16 символов; не в Modbus</translation>
+    </message>
+    <message>
+        <source>writes the zero offset, arc-seconds</source>
+        <translation>записывает смещение нуля, угловые секунды</translation>
+    </message>
+    <message>
+        <source>writes the averaging: --ticks, --period or both</source>
+        <translation>записывает усреднение: --ticks, --period или оба</translation>
+    </message>
+    <message>
+        <source>restarts the controller of an АН-Д3, about 5 s</source>
+        <translation>сбрасывает контроллер АН-Д3, около 5 с</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>имя</translation>
+    </message>
+    <message>
+        <source>zero offset</source>
+        <translation>смещение нуля</translation>
+    </message>
+    <message>
+        <source>averaging ticks</source>
+        <translation>такты усреднения</translation>
+    </message>
+    <message>
+        <source>averaging period</source>
+        <translation>период усреднения</translation>
+    </message>
+    <message>
+        <source>%1: written and read back</source>
+        <translation>%1: значение записано и проверено чтением</translation>
+    </message>
+    <message>
+        <source>%1: the sensor has not taken the new value</source>
+        <translation>%1: датчик не принял новое значение</translation>
+    </message>
+    <message>
+        <source>%1: not written (%2)</source>
+        <translation>%1: не записано (%2)</translation>
+    </message>
+    <message>
+        <source>address %1 is taken, or the sensor refuses it; nothing was changed</source>
+        <translation>адрес %1 занят, или датчик его не принимает; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>the sensor still answers at address %1</source>
+        <translation>датчик по-прежнему отвечает по адресу %1</translation>
+    </message>
+    <message>
+        <source>no answer, neither at address %1 nor at %2; scan the line</source>
+        <translation>нет ответа ни по адресу %1, ни по адресу %2; выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>what became of the address is not known (%1); scan the line</source>
+        <translation>неизвестно, сменился ли адрес (%1); выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>Give the sensor with address %1 the address %2?</source>
+        <translation>Записать в датчик с адресом %1 новый адрес %2?</translation>
+    </message>
+    <message>
+        <source>Write the name &quot;%1&quot; to the sensor with address %2?</source>
+        <translation>Записать имя «%1» в датчик с адресом %2?</translation>
+    </message>
+    <message>
+        <source>Write the zero offset X %1″, Y %2″ to the sensor with address %3?</source>
+        <translation>Записать смещение нуля X %1″, Y %2″ в датчик с адресом %3?</translation>
+    </message>
+    <message>
+        <source>ticks: %1</source>
+        <translation>тактов: %1</translation>
+    </message>
+    <message>
+        <source>period: %1 ms</source>
+        <translation>период: %1 мс</translation>
+    </message>
+    <message>
+        <source>Write the averaging (%1) to the sensor with address %2?</source>
+        <translation>Записать усреднение (%1) в датчик с адресом %2?</translation>
+    </message>
+    <message>
+        <source>wrong check sum of the program</source>
+        <translation>неверная контрольная сумма программы</translation>
+    </message>
+    <message>
+        <source>wrong check sum of the settings</source>
+        <translation>неверная контрольная сумма настроек</translation>
+    </message>
+    <message>
+        <source>wrong check sums of program and settings</source>
+        <translation>неверные контрольные суммы программы и настроек</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>Имя: %1</translation>
+    </message>
+    <message>
+        <source>Speed: %1</source>
+        <translation>Скорость обмена: %1</translation>
+    </message>
+    <message>
+        <source>Version: %1</source>
+        <translation>Версия измерителя: %1</translation>
+    </message>
+    <message>
+        <source>Software revision: %1 (type %2, revision %3)</source>
+        <translation>Номер редакции ПО: %1 (тип %2, редакция %3)</translation>
+    </message>
+    <message>
+        <source>Serial number: %1</source>
+        <translation>Заводской номер: %1</translation>
+    </message>
+    <message>
+        <source>Zero offset X: %1″</source>
+        <translation>Смещение нуля X: %1″</translation>
+    </message>
+    <message>
+        <source>Zero offset Y: %1″</source>
+        <translation>Смещение нуля Y: %1″</translation>
+    </message>
+    <message>
+        <source>Averaging ticks: %1</source>
+        <translation>Тактов усреднения: %1</translation>
+    </message>
+    <message>
+        <source>Averaging period: %1 ms</source>
+        <translation>Период усреднения: %1 мс</translation>
+    </message>
+    <message>
+        <source>Self-test: %1</source>
+        <translation>Самопроверка: %1</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>№ %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal to ask at; nothing was written. --yes writes without asking</source>
+        <translation>спросить не у кого: ввод не с терминала; ничего не записано. С --yes запись идёт без вопроса</translation>
+    </message>
+    <message>
+        <source>--%1 takes %2, not &quot;%3&quot;</source>
+        <translation>--%1: нужно %2, а не «%3»</translation>
+    </message>
+    <message>
+        <source>a command is missing; --help lists them</source>
+        <translation>не указана команда; список — в --help</translation>
+    </message>
+    <message>
+        <source>there is no command &quot;%1&quot;; --help lists them</source>
+        <translation>нет команды «%1»; список — в --help</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>after %1 comes %2</source>
+        <translation>после %1 должно стоять: %2</translation>
+    </message>
+    <message>
+        <source>%1 does not take --%2</source>
+        <translation>у команды %1 нет параметра --%2</translation>
+    </message>
+    <message>
+        <source>--device is missing</source>
+        <translation>не указан --device</translation>
+    </message>
+    <message>
+        <source>--type is missing</source>
+        <translation>не указан --type</translation>
+    </message>
+    <message>
+        <source>%1 does not have the command %2</source>
+        <translation>у %1 нет команды %2</translation>
+    </message>
+    <message>
+        <source>only ind3 has a --protocol</source>
+        <translation>--protocol есть только у ind3</translation>
+    </message>
+    <message>
+        <source>--address is missing</source>
+        <translation>не указан --address</translation>
+    </message>
+    <message>
+        <source>protocol 2.10 has no settings: only scan and read</source>
+        <translation>в протоколе 2.10 нет настроек: только scan и read</translation>
+    </message>
+    <message>
+        <source>--from is after --to</source>
+        <translation>--from больше --to</translation>
+    </message>
+    <message>
+        <source>--ticks or --period is missing</source>
+        <translation>не указан ни --ticks, ни --period</translation>
+    </message>
+    <message>
+        <source>an address is 1…255, not &quot;%1&quot;</source>
+        <translation>адрес — число 1…255, а не «%1»</translation>
+    </message>
+    <message>
+        <source>there is no name in Modbus</source>
+        <translation>в Modbus имени нет</translation>
+    </message>
+    <message>
+        <source>a name has 1…16 characters of Windows-1251: &quot;%1&quot; does not</source>
+        <translation>имя — 1…16 символов Windows-1251, «%1» не подходит</translation>
+    </message>
+    <message>
+        <source>an offset is two numbers of arc-seconds, not &quot;%1&quot;</source>
+        <translation>смещение — два числа в угловых секундах, а не «%1»</translation>
+    </message>
+    <message>
+        <source>%1  somebody answers, but not clearly (%2); two sensors with one address?</source>
+        <translation>%1  кто-то отвечает, но неразборчиво (%2); два датчика с одним адресом?</translation>
+    </message>
+    <message numerus="yes">
+        <source>address %1, %n sensor(s) found</source>
+        <translation>
+            <numerusform>адрес %1, найден %n датчик</numerusform>
+            <numerusform>адрес %1, найдено %n датчика</numerusform>
+            <numerusform>адрес %1, найдено %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its settings cannot be read</source>
+        <translation>настройки не читаются</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) found</source>
+        <translation>
+            <numerusform>найден %n датчик</numerusform>
+            <numerusform>найдено %n датчика</numerusform>
+            <numerusform>найдено %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) asked</source>
+        <translation>
+            <numerusform>опрошен %n адрес</numerusform>
+            <numerusform>опрошено %n адреса</numerusform>
+            <numerusform>опрошено %n адресов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer from address %1</source>
+        <translation>нет ответа с адреса %1</translation>
+    </message>
+    <message>
+        <source>only damaged answers from address %1</source>
+        <translation>с адреса %1 приходят только повреждённые ответы</translation>
+    </message>
+    <message>
+        <source>the answers from address %1 make no sense</source>
+        <translation>ответы с адреса %1 не имеют смысла</translation>
+    </message>
+    <message>
+        <source>the sensor with address %1 refuses</source>
+        <translation>датчик с адресом %1 отказывает</translation>
+    </message>
+    <message>
+        <source>the port is lost: %1</source>
+        <translation>порт потерян: %1</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>прервано</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>нет ответа</translation>
+    </message>
+    <message>
+        <source>damaged answers</source>
+        <translation>повреждённые ответы</translation>
+    </message>
+    <message>
+        <source>answers without sense</source>
+        <translation>ответы без смысла</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>the port is lost</source>
+        <translation>порт потерян</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what is not known is null:
+  every one      type (ind3, and3), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (arc-seconds),
+                 ticks, period (ms), selfTest; and3: firmware, build, configuration (hexadecimal)
+                 and the keys of read
+  read           time (UTC), tiltX, tiltY (arc-seconds); and3: temperature (°C), fanFrequency (1/s),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress
+  a failure      fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, один объект в строке; неизвестное — null:
+  каждый         type (ind3, and3), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (угловые секунды),
+                 ticks, period (мс), selfTest; and3: firmware, build, configuration (шестнадцатеричная)
+                 и ключи read
+  read           time (UTC), tiltX, tiltY (угловые секунды); and3: temperature (°C), fanFrequency (1/с),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; у адреса: newAddress
+  неудача        fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>Finds, reads and sets ИН-Д3 and АН-Д3 sensors on a serial line. The line must not be open in another program.</source>
+        <translation>Ищет, читает и настраивает датчики ИН-Д3 и АН-Д3 на последовательной линии. Линия не должна быть открыта в другой программе.</translation>
+    </message>
+    <message>
+        <source>Commands:</source>
+        <translation>Команды:</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 refused by the sensor or by the user; 2 the command line is wrong; 3 no answer, or the port cannot be opened.</source>
+        <translation>Коды завершения: 0 — сделано; 1 — отказ датчика или пользователя; 2 — ошибка в командной строке; 3 — нет ответа или порт не открывается.</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>Примеры:</translation>
+    </message>
+    <message>
+        <source>One of the commands above.</source>
+        <translation>Одна из команд выше.</translation>
+    </message>
+    <message>
+        <source>The port.</source>
+        <translation>Порт.</translation>
+    </message>
+    <message>
+        <source>Speed; 115200 if not given. An ИН-Д3 comes with 9600 from the factory.</source>
+        <translation>Скорость; по умолчанию 115200. ИН-Д3 с завода — 9600.</translation>
+    </message>
+    <message>
+        <source>Parity; none if not given.</source>
+        <translation>Чётность; по умолчанию нет.</translation>
+    </message>
+    <message>
+        <source>Stop bits; 1 if not given.</source>
+        <translation>Стоповые биты; по умолчанию 1.</translation>
+    </message>
+    <message>
+        <source>The driver of the adapter switches the direction (RS485=1 in the ini).</source>
+        <translation>Направление переключает драйвер адаптера (RS485=1 в ini).</translation>
+    </message>
+    <message>
+        <source>Type of the sensor; needed where both have the command.</source>
+        <translation>Тип датчика; нужен, если команда есть у обоих.</translation>
+    </message>
+    <message>
+        <source>What an ИН-Д3 speaks; 2.11 if not given.</source>
+        <translation>Протокол ИН-Д3; по умолчанию 2.11.</translation>
+    </message>
+    <message>
+        <source>Address of the sensor, 1…255.</source>
+        <translation>Адрес датчика, 1…255.</translation>
+    </message>
+    <message>
+        <source>How long one answer is waited for; 200 if not given. It is asked for up to three times.</source>
+        <translation>Сколько ждать одного ответа; по умолчанию 200. Запрос повторяется до трёх раз.</translation>
+    </message>
+    <message>
+        <source>scan: the first address.</source>
+        <translation>scan: первый адрес.</translation>
+    </message>
+    <message>
+        <source>scan: the last address.</source>
+        <translation>scan: последний адрес.</translation>
+    </message>
+    <message>
+        <source>read: how many times; 0: until Ctrl+C. Once if not given.</source>
+        <translation>read: сколько раз; 0 — до Ctrl+C. По умолчанию один раз.</translation>
+    </message>
+    <message>
+        <source>read: from one to the next; 1000 if not given.</source>
+        <translation>read: от одного чтения до следующего; по умолчанию 1000.</translation>
+    </message>
+    <message>
+        <source>set-averaging: ticks.</source>
+        <translation>set-averaging: такты.</translation>
+    </message>
+    <message>
+        <source>set-averaging: period.</source>
+        <translation>set-averaging: период.</translation>
+    </message>
+    <message>
+        <source>Writes without asking.</source>
+        <translation>Запись без вопроса.</translation>
+    </message>
+    <message>
+        <source>Prints JSON.</source>
+        <translation>Печатает JSON.</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Язык программы.</translation>
+    </message>
+    <message>
+        <source>Prints this.</source>
+        <translation>Печатает эту справку.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Печатает версию.</translation>
+    </message>
+</context>
 </TS>

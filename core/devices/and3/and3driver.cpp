@@ -16,8 +16,6 @@ Q_LOGGING_CATEGORY(logDevice, "gorizont.device.and3", QtInfoMsg)
 
 using namespace std::chrono_literals;
 
-constexpr auto leastSilence = 10ms; ///< between any two exchanges, packet reads included (observed)
-
 /// A quantity that the sensor calls not ready is absent.
 Measurement measurementOf(const ComplexRead &read)
 {
