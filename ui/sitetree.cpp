@@ -3,6 +3,8 @@
 #include "ui/models/icons.h"
 #include "ui/models/sitetreemodel.h"
 
+#include <QAction>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -15,9 +17,7 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     , m_search(new QLineEdit(this))
     , m_view(new QTreeView(this))
 {
-    m_search->setObjectName(QStringLiteral("treeSearch"));
-    m_search->setPlaceholderText(tr("Find a sensor (Ctrl+F)"));
-    m_search->setClearButtonEnabled(true);
+    addSearch();
     m_view->setObjectName(QStringLiteral("siteTree"));
     m_view->setModel(m_model);
     m_view->setHeaderHidden(true);
@@ -41,8 +41,33 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
         Q_EMIT selectionChanged(m_model->itemAt(current));
     });
+}
+
+void SiteTree::addSearch()
+{
+    m_search->setObjectName(QStringLiteral("treeSearch"));
+    m_search->setPlaceholderText(tr("Find a sensor (Ctrl+F)"));
+    m_search->setClearButtonEnabled(true);
+    m_search->installEventFilter(this);
+    m_nothingFound = m_search->addAction(icons::state(Health::Warning), QLineEdit::LeadingPosition);
+    m_nothingFound->setObjectName(QStringLiteral("nothingFound"));
+    m_nothingFound->setToolTip(tr("Nothing found"));
+    m_nothingFound->setVisible(false);
     connect(m_search, &QLineEdit::textEdited, this, [this] { find(false); });
     connect(m_search, &QLineEdit::returnPressed, this, [this] { find(true); });
+}
+
+/// Esc and the arrow down lead from the search to what it found.
+bool SiteTree::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_search && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        if (key == Qt::Key_Escape || key == Qt::Key_Down) {
+            m_view->setFocus(Qt::OtherFocusReason);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 SiteItem SiteTree::selected() const
@@ -72,12 +97,14 @@ void SiteTree::startSearch()
 void SiteTree::find(bool isNext)
 {
     const QString wanted = m_search->text().trimmed();
+    m_nothingFound->setVisible(false);
     if (wanted.isEmpty()) {
         return;
     }
     const QModelIndexList found = m_model->match(
         m_model->indexOf(SiteItem::server()), Qt::DisplayRole, wanted, -1,
         Qt::MatchContains | Qt::MatchRecursive | Qt::MatchWrap);
+    m_nothingFound->setVisible(found.isEmpty());
     if (found.isEmpty()) {
         return;
     }

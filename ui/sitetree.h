@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QAction;
 class QLineEdit;
 class QTreeView;
 
@@ -28,11 +29,16 @@ public:
 Q_SIGNALS:
     void selectionChanged(gorizont::SiteItem item);
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    void addSearch();
     void find(bool isNext);
 
     SiteTreeModel *m_model;
     QLineEdit *m_search;
+    QAction *m_nothingFound = nullptr;
     QTreeView *m_view;
 };
 
