@@ -159,10 +159,6 @@
         <translation>Время опроса</translation>
     </message>
     <message>
-        <source>how long polled without a break</source>
-        <translation>время непрерывного опроса порта</translation>
-    </message>
-    <message>
         <source>Time since opening</source>
         <translation>Время после открытия</translation>
     </message>
@@ -177,10 +173,6 @@
     <message>
         <source>Attempts to open</source>
         <translation>Попыток открытия</translation>
-    </message>
-    <message>
-        <source>those that failed</source>
-        <translation>количество неудачных попыток</translation>
     </message>
     <message>
         <source>Write errors</source>
@@ -198,6 +190,50 @@
         <source>Code of the last error</source>
         <translation>Код последней ошибки</translation>
     </message>
+    <message>
+        <source>short description of the port</source>
+        <translation>краткое описание подключенного порта</translation>
+    </message>
+    <message>
+        <source>state of the port</source>
+        <translation>состояние порта</translation>
+    </message>
+    <message>
+        <source>how long the port is polled without a break, h:mm:ss</source>
+        <translation>время непрерывного опроса порта, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>how long the port works without a break, h:mm:ss</source>
+        <translation>время непрерывной работы порта, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>number of bytes sent to the port</source>
+        <translation>количество отправленных в порт байт</translation>
+    </message>
+    <message>
+        <source>number of bytes received from the port</source>
+        <translation>количество принятых из порта байт</translation>
+    </message>
+    <message>
+        <source>number of failed attempts to open the port</source>
+        <translation>количество неудачных попыток открытия порта</translation>
+    </message>
+    <message>
+        <source>number of errors of writing to the port</source>
+        <translation>количество ошибок записи в порт</translation>
+    </message>
+    <message>
+        <source>number of errors of reading from the port</source>
+        <translation>количество ошибок чтения из порта</translation>
+    </message>
+    <message>
+        <source>number of CRC errors in what was read from the port</source>
+        <translation>количество ошибок CRC при чтении из порта</translation>
+    </message>
+    <message>
+        <source>code of the system and its meaning; 0: no error so far</source>
+        <translation>код системы и его смысл; 0 — ошибок не было</translation>
+    </message>
 </context>
 <context>
     <name>SensorPage</name>
@@ -208,10 +244,6 @@
     <message>
         <source>maximum along X %1, along Y %2 mm/s²</source>
         <translation>максимум по X %1, по Y %2 мм/с²</translation>
-    </message>
-    <message>
-        <source>flags of the state : of the mode, as the sensor gives them; the program&apos;s own word is %1</source>
-        <translation>флаги состояния : режима, как их передаёт датчик; слово состояния программы: %1</translation>
     </message>
     <message>
         <source>Comment</source>
@@ -242,10 +274,6 @@
         <translation>Термостат, % (об./с)</translation>
     </message>
     <message>
-        <source>power of the heater (frequency of the fan)</source>
-        <translation>мощность нагревателя (частота вентилятора)</translation>
-    </message>
-    <message>
         <source>Status word</source>
         <translation>Слово состояния</translation>
     </message>
@@ -254,16 +282,56 @@
         <translation>Период опроса, с</translation>
     </message>
     <message>
-        <source>period | time of the exchange | age of the values</source>
-        <translation>период | длительность обмена | возраст показаний</translation>
-    </message>
-    <message>
         <source>Read errors</source>
         <translation>Ошибок чтения</translation>
     </message>
     <message>
         <source>CRC errors</source>
         <translation>Ошибок CRC</translation>
+    </message>
+    <message>
+        <source>flags of the state : flags of the mode, as the sensor gives them</source>
+        <translation>флаги состояния : флаги режима работы, как их передаёт датчик</translation>
+    </message>
+    <message>
+        <source>the program&apos;s own word: %1</source>
+        <translation>слово состояния программы: %1</translation>
+    </message>
+    <message>
+        <source>short description of the sensor</source>
+        <translation>краткое описание подключенного датчика</translation>
+    </message>
+    <message>
+        <source>state of the sensor</source>
+        <translation>состояние подключенного датчика</translation>
+    </message>
+    <message>
+        <source>angle along X, angle along Y, degrees (the same in arc-seconds)</source>
+        <translation>угол по X, угол по Y, угл. град. (угол по X, угол по Y, угл. сек.)</translation>
+    </message>
+    <message>
+        <source>temperature, if the sensor measures it</source>
+        <translation>температура, °C (если поддерживается датчиком)</translation>
+    </message>
+    <message>
+        <source>speed of the wind, if the sensor measures it</source>
+        <translation>скорость ветра (если поддерживается датчиком)</translation>
+    </message>
+    <message>
+        <source>power of the heater, % (frequency of the fan, revolutions per second)</source>
+        <translation>мощность нагревательного элемента, % (частота вентилятора, об./с)</translation>
+    </message>
+    <message>
+        <source>actual period of polling | time of the exchange | age of the values</source>
+        <translation>фактический период опроса | длительность обмена | возраст показаний</translation>
+    </message>
+    <message>
+        <source>number of errors of reading from the sensor</source>
+        <translation>количество ошибок чтения из датчика</translation>
+    </message>
+    <message>
+        <source>number of CRC errors in what was read from the sensor</source>
+        <translation>количество ошибок CRC при чтении из датчика</translation>
     </message>
 </context>
 <context>
@@ -448,10 +516,6 @@
 <context>
     <name>Settings</name>
     <message>
-        <source>the file gives “%1”, which cannot be used</source>
-        <translation>в файле указано «%1», это значение использовать нельзя</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 мс</translation>
     </message>
@@ -468,84 +532,8 @@
         <translation>IP порт</translation>
     </message>
     <message>
-        <source>Modbus TCP</source>
-        <translation>Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus TCP, switched off</source>
-        <translation>Modbus TCP, выключен</translation>
-    </message>
-    <message>
-        <source>period of the visible elements</source>
-        <translation>период обновления визуальных элементов программы</translation>
-    </message>
-    <message>
-        <source>period of polling a port</source>
-        <translation>период опроса COM-портов</translation>
-    </message>
-    <message>
-        <source>time for resources at the start</source>
-        <translation>время на инициализацию ресурсов программы</translation>
-    </message>
-    <message>
-        <source>period of the records in the files</source>
-        <translation>период сохранения результатов измерений в файлах</translation>
-    </message>
-    <message>
         <source>slice of any pause</source>
         <translation>квант времени для задержек</translation>
-    </message>
-    <message>
-        <source>after a failed attempt to open a port</source>
-        <translation>задержка после неудачной попытки открытия COM-порта</translation>
-    </message>
-    <message>
-        <source>after closing a port, before it is opened again</source>
-        <translation>задержка после закрытия COM-порта перед повторным открытием</translation>
-    </message>
-    <message>
-        <source>time for an orderly end of the program</source>
-        <translation>время на штатное освобождение ресурсов программы при закрытии</translation>
-    </message>
-    <message>
-        <source>after another address is chosen</source>
-        <translation>приостановка после изменения адреса датчика</translation>
-    </message>
-    <message>
-        <source>after a polling cycle</source>
-        <translation>приостановка после завершения цикла опроса</translation>
-    </message>
-    <message>
-        <source>after a read error</source>
-        <translation>приостановка после ошибки чтения</translation>
-    </message>
-    <message>
-        <source>after a CRC error</source>
-        <translation>приостановка после ошибки CRC</translation>
-    </message>
-    <message>
-        <source>reading the answer to a command</source>
-        <translation>таймаут чтения команды из COM-порта</translation>
-    </message>
-    <message>
-        <source>writing a command</source>
-        <translation>таймаут записи команды в COM-порт</translation>
-    </message>
-    <message>
-        <source>reading data</source>
-        <translation>таймаут чтения данных из COM-порта</translation>
-    </message>
-    <message>
-        <source>writing data</source>
-        <translation>таймаут записи данных в COM-порт</translation>
-    </message>
-    <message>
-        <source>read errors in a row before the status word says so</source>
-        <translation>ошибок чтения подряд до флага в слове состояния датчика</translation>
-    </message>
-    <message>
-        <source>CRC errors in a row before the status word says so</source>
-        <translation>ошибок CRC подряд до флага в слове состояния датчика</translation>
     </message>
     <message>
         <source>[More]</source>
@@ -586,10 +574,6 @@
     <message>
         <source>%1 packets</source>
         <translation>%1 пакетов</translation>
-    </message>
-    <message>
-        <source>32 samples of both axes each</source>
-        <translation>по 32 измерения по осям X и Y в пакете</translation>
     </message>
     <message>
         <source>[Port]</source>
@@ -662,6 +646,462 @@
     <message>
         <source>Remark</source>
         <translation>Примечание</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>чётность</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>нечётность</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>единица</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>ноль</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>углы</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>accelerations</source>
+        <translation>ускорения</translation>
+    </message>
+    <message>
+        <source>information about the sensor; its keywords tell what the sensor is able to do</source>
+        <translation>информация о датчике; ключевые слова задают аппаратные возможности датчика</translation>
+    </message>
+    <message>
+        <source>take the sensor into the polling cycle?</source>
+        <translation>включать датчик в цикл опроса?</translation>
+    </message>
+    <message>
+        <source>number of the sensor on the site</source>
+        <translation>порядковый номер датчика на объекте</translation>
+    </message>
+    <message>
+        <source>address of the sensor on the line</source>
+        <translation>адрес датчика на линии</translation>
+    </message>
+    <message>
+        <source>works number of the primary transducer</source>
+        <translation>заводской номер первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>zero offset along X after the adjustment; in the file in arc-seconds</source>
+        <translation>смещение нуля датчика по X после юстировки; в файле — угл. сек.</translation>
+    </message>
+    <message>
+        <source>zero offset along Y after the adjustment; in the file in arc-seconds</source>
+        <translation>смещение нуля датчика по Y после юстировки; в файле — угл. сек.</translation>
+    </message>
+    <message>
+        <source>zero correction of the temperature sensor, °C; sensors without temperature have none</source>
+        <translation>коррекция нуля датчика температуры, °C; у датчиков без температуры отсутствует</translation>
+    </message>
+    <message>
+        <source>invert the axis Y of the sensor&apos;s coordinate system?</source>
+        <translation>инвертировать ось Y системы координат датчика?</translation>
+    </message>
+    <message>
+        <source>angle of the sensor&apos;s coordinate system against that of the site, degrees</source>
+        <translation>угол вращения системы координат датчика по отношению к системе координат объекта, угл. град.</translation>
+    </message>
+    <message>
+        <source>date when the sensor was installed</source>
+        <translation>дата установки датчика</translation>
+    </message>
+    <message>
+        <source>date when the sensor was last adjusted</source>
+        <translation>дата последней юстировки</translation>
+    </message>
+    <message>
+        <source>additional information about the sensor</source>
+        <translation>дополнительная информация о датчике</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>place of the sensor, shown in the tree</source>
+        <translation>место установки датчика, показывается в дереве</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>by the keywords of the comment</source>
+        <translation>по ключевым словам комментария</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Измеряет</translation>
+    </message>
+    <message>
+        <source>what the type is able to measure; AccelOn=0 leaves out the accelerations</source>
+        <translation>что умеет измерять датчик этого типа; AccelOn=0 исключает ускорения</translation>
+    </message>
+    <message>
+        <source>Thermostat</source>
+        <translation>Термостат</translation>
+    </message>
+    <message>
+        <source>by the keywords of the comment; fan and heater count in the status word</source>
+        <translation>по ключевым словам комментария; вентилятор и нагрев учитываются в слове состояния</translation>
+    </message>
+    <message>
+        <source>an option of this type of sensor</source>
+        <translation>параметр датчиков этого типа</translation>
+    </message>
+    <message>
+        <source>short description of the port&apos;s adapter</source>
+        <translation>краткое описание адаптера порта</translation>
+    </message>
+    <message>
+        <source>take the port into the polling cycle?</source>
+        <translation>включать порт в цикл опроса?</translation>
+    </message>
+    <message>
+        <source>name of the port in the operating system</source>
+        <translation>название порта в ОС</translation>
+    </message>
+    <message>
+        <source>speed of transmission, baud</source>
+        <translation>скорость передачи, бод</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Устройство</translation>
+    </message>
+    <message>
+        <source>opened instead of the port of that number: a path, COM4, tcp://host:port, sim:</source>
+        <translation>открывается вместо порта с этим номером: путь, COM4, tcp://узел:порт, sim:</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Биты данных</translation>
+    </message>
+    <message>
+        <source>5 … 8</source>
+        <translation>5 … 8</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Чётность</translation>
+    </message>
+    <message>
+        <source>N, E, O, M or S</source>
+        <translation>N, E, O, M или S</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Стоповые биты</translation>
+    </message>
+    <message>
+        <source>1, 1.5 or 2</source>
+        <translation>1, 1.5 или 2</translation>
+    </message>
+    <message>
+        <source>does the driver of the adapter control the direction?</source>
+        <translation>направлением передачи управляет драйвер адаптера?</translation>
+    </message>
+    <message>
+        <source>Sensors listed</source>
+        <translation>Датчиков в списке</translation>
+    </message>
+    <message>
+        <source>number of sensors connected to the port</source>
+        <translation>количество подключенных к порту датчиков</translation>
+    </message>
+    <message>
+        <source>short description of this copy of the program</source>
+        <translation>краткое описание копии программы</translation>
+    </message>
+    <message>
+        <source>number of the IP port for Modbus TCP</source>
+        <translation>номер IP порта для протокола Modbus TCP</translation>
+    </message>
+    <message>
+        <source>number of the IP port for Modbus TCP, switched off by CanModbus=0</source>
+        <translation>номер IP порта для протокола Modbus TCP, выключен (CanModbus=0)</translation>
+    </message>
+    <message>
+        <source>period of drawing the visible elements of the program</source>
+        <translation>период обновления визуальных элементов программы</translation>
+    </message>
+    <message>
+        <source>period of polling the COM ports</source>
+        <translation>период опроса COM-портов</translation>
+    </message>
+    <message>
+        <source>time for resources of the program at its start</source>
+        <translation>время, выделяемое для инициализации ресурсов программы</translation>
+    </message>
+    <message>
+        <source>period of saving the measurements in files</source>
+        <translation>период сохранения результатов измерений в файлах</translation>
+    </message>
+    <message>
+        <source>pause after a failed attempt to open a COM port</source>
+        <translation>задержка после неудачной попытки открытия COM-порта</translation>
+    </message>
+    <message>
+        <source>pause after closing a COM port, before it is opened again</source>
+        <translation>задержка после закрытия COM-порта перед повторным открытием</translation>
+    </message>
+    <message>
+        <source>time for an orderly end of the program; then it is ended by force</source>
+        <translation>время на штатное освобождение ресурсов программы при закрытии; затем она закрывается аварийно</translation>
+    </message>
+    <message>
+        <source>pause after another address is chosen</source>
+        <translation>время приостановки процесса после изменения адреса датчика</translation>
+    </message>
+    <message>
+        <source>pause after a polling cycle</source>
+        <translation>время приостановки процесса после завершения цикла опроса</translation>
+    </message>
+    <message>
+        <source>pause after a read error</source>
+        <translation>время приостановки процесса после ошибки чтения</translation>
+    </message>
+    <message>
+        <source>pause after a CRC error</source>
+        <translation>время приостановки процесса после ошибки CRC</translation>
+    </message>
+    <message>
+        <source>timeout of reading a command from a COM port</source>
+        <translation>таймаут чтения команды из COM-порта</translation>
+    </message>
+    <message>
+        <source>timeout of writing a command to a COM port</source>
+        <translation>таймаут записи команды в COM-порт</translation>
+    </message>
+    <message>
+        <source>timeout of reading data from a COM port</source>
+        <translation>таймаут чтения данных из COM-порта</translation>
+    </message>
+    <message>
+        <source>timeout of writing data to a COM port</source>
+        <translation>таймаут записи данных в COM-порт</translation>
+    </message>
+    <message>
+        <source>read errors in a row before the status word of the sensor says so</source>
+        <translation>количество ошибок чтения подряд, после которых выставляется флаг слова состояния датчика</translation>
+    </message>
+    <message>
+        <source>CRC errors in a row before the status word of the sensor says so</source>
+        <translation>количество ошибок CRC подряд, после которых выставляется флаг слова состояния датчика</translation>
+    </message>
+    <message>
+        <source>save measurements and the journal of events in files?</source>
+        <translation>сохранять результаты измерений и журнал событий в файлах?</translation>
+    </message>
+    <message>
+        <source>number of the last records on the tab of measurements</source>
+        <translation>количество последних записей, отображаемых во вкладке измерений</translation>
+    </message>
+    <message>
+        <source>number of records removed from the tab of measurements when it is full</source>
+        <translation>количество записей во вкладке измерений, которые удаляются после переполнения</translation>
+    </message>
+    <message>
+        <source>hide the window of the program in the tray at its start?</source>
+        <translation>сворачивать окно программы в трей при запуске?</translation>
+    </message>
+    <message>
+        <source>show a warning when the program is closed? (CanClose=0)</source>
+        <translation>выводить окно предупреждения при закрытии программы? (CanClose=0)</translation>
+    </message>
+    <message>
+        <source>allow copies of the program to run at the same time?</source>
+        <translation>разрешать одновременный запуск копий программы?</translation>
+    </message>
+    <message>
+        <source>show additional elements of the program?</source>
+        <translation>отображать дополнительные элементы программы?</translation>
+    </message>
+    <message>
+        <source>size of the accelerometer&apos;s ring; a packet holds 32 samples along X and Y</source>
+        <translation>размер циклического буфера акселерометра; в пакете 32 измерения по X и Y</translation>
+    </message>
+    <message>
+        <source>[Program]</source>
+        <translation>[Программа]</translation>
+    </message>
+    <message>
+        <source>Caption of the window</source>
+        <translation>Заголовок окна</translation>
+    </message>
+    <message>
+        <source>title of the window</source>
+        <translation>текст заголовка окна программы</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Язык</translation>
+    </message>
+    <message>
+        <source>language of the program: ru or en; --lang goes before it</source>
+        <translation>язык программы: ru или en; ключ --lang важнее</translation>
+    </message>
+    <message>
+        <source>Serial number of the copy</source>
+        <translation>Серийный номер копии</translation>
+    </message>
+    <message>
+        <source>kept, without any effect</source>
+        <translation>хранится, на работу не влияет</translation>
+    </message>
+    <message>
+        <source>Ports listed</source>
+        <translation>Портов в списке</translation>
+    </message>
+    <message>
+        <source>number of COM ports in the configuration file</source>
+        <translation>количество COM-портов в файле настроек</translation>
+    </message>
+    <message>
+        <source>Ask for information</source>
+        <translation>Запрашивать информацию</translation>
+    </message>
+    <message>
+        <source>ask sensors for additional information about their state?</source>
+        <translation>запрашивать дополнительную информацию о состоянии датчика?</translation>
+    </message>
+    <message>
+        <source>Buffers in a file</source>
+        <translation>Буферов в файле</translation>
+    </message>
+    <message>
+        <source>samples of acceleration in one binary file: %1 (SrsBufSize × 32 × SrsBufToSave)</source>
+        <translation>измерений ускорений в одном двоичном файле: %1 (SrsBufSize × 32 × SrsBufToSave)</translation>
+    </message>
+    <message>
+        <source>Gravity, m/s²</source>
+        <translation>Ускорение св. падения, м/с²</translation>
+    </message>
+    <message>
+        <source>Status bits of the original</source>
+        <translation>Биты статуса прежней программы</translation>
+    </message>
+    <message>
+        <source>print the status words as the original program did?</source>
+        <translation>выдавать слова состояния так, как прежняя программа?</translation>
+    </message>
+    <message>
+        <source>IP port of ADC24</source>
+        <translation>IP порт ADC24</translation>
+    </message>
+    <message>
+        <source>number of the IP port for ADC24 TCP</source>
+        <translation>номер IP порта для протокола ADC24 TCP</translation>
+    </message>
+    <message>
+        <source>OPC DA interface</source>
+        <translation>Интерфейс OPC DA</translation>
+    </message>
+    <message>
+        <source>serve OPC DA? Only one copy of the program may run then</source>
+        <translation>передавать данные по OPC DA? Тогда работает только одна копия программы</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Сервер Modbus TCP</translation>
+    </message>
+    <message>
+        <source>serve readings over Modbus TCP?</source>
+        <translation>передавать показания по протоколу Modbus TCP?</translation>
+    </message>
+    <message>
+        <source>Order of the sensors</source>
+        <translation>Порядок датчиков</translation>
+    </message>
+    <message>
+        <source>by type</source>
+        <translation>по типам</translation>
+    </message>
+    <message>
+        <source>by number</source>
+        <translation>по номерам</translation>
+    </message>
+    <message>
+        <source>in units 3 and 6: every sensor of the type in turn, or a place for every site number</source>
+        <translation>в адресах 3 и 6: датчики своего типа подряд или место для каждого номера на объекте</translation>
+    </message>
+    <message>
+        <source>First register</source>
+        <translation>Первый регистр</translation>
+    </message>
+    <message>
+        <source>where the registers of units 3 and 6 start: 0 or 1</source>
+        <translation>с чего начинаются регистры адресов 3 и 6: 0 или 1</translation>
+    </message>
+    <message>
+        <source>Clients at most</source>
+        <translation>Клиентов не более</translation>
+    </message>
+    <message>
+        <source>connections at the same time</source>
+        <translation>количество одновременных подключений</translation>
+    </message>
+    <message>
+        <source>Cut off silent clients</source>
+        <translation>Отключать молчащих клиентов</translation>
+    </message>
+    <message>
+        <source>after %1 s</source>
+        <translation>через %1 с</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>никогда</translation>
+    </message>
+    <message>
+        <source>how long a client may ask nothing</source>
+        <translation>сколько клиент может не присылать запросов</translation>
+    </message>
+    <message>
+        <source>Address of the server</source>
+        <translation>Адрес сервера</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>все</translation>
+    </message>
+    <message>
+        <source>IP address of this computer to serve on</source>
+        <translation>IP-адрес этого компьютера, на котором принимаются подключения</translation>
+    </message>
+    <message>
+        <source>Clients allowed</source>
+        <translation>Разрешённые клиенты</translation>
+    </message>
+    <message>
+        <source>addresses and blocks of addresses that may connect</source>
+        <translation>адреса и блоки адресов, которым разрешено подключаться</translation>
+    </message>
+    <message>
+        <source>the file gives “%1”, which cannot be used; “%2” is used</source>
+        <translation>в файле указано «%1», это значение использовать нельзя; используется «%2»</translation>
+    </message>
+    <message>
+        <source>acceleration of free fall, by which raw accelerations become mm/s²</source>
+        <translation>ускорение свободного падения для пересчёта ускорений в мм/с²</translation>
     </message>
 </context>
 <context>
@@ -789,6 +1229,121 @@
     <message>
         <source>no</source>
         <translation>нет</translation>
+    </message>
+</context>
+<context>
+    <name>StatusBits</name>
+    <message>
+        <source>polling is off</source>
+        <translation>опрос отключен</translation>
+    </message>
+    <message>
+        <source>angles are not valid or not ready</source>
+        <translation>результаты измерения углов наклона не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>temperature is not valid or not ready</source>
+        <translation>результаты измерения температуры не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>accelerations are not valid or not ready</source>
+        <translation>результаты измерения ускорений не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>the exchange buffer of accelerations overran</source>
+        <translation>переполнение буфера обмена ускорений</translation>
+    </message>
+    <message>
+        <source>synchronisation error</source>
+        <translation>ошибка синхронизации</translation>
+    </message>
+    <message>
+        <source>the microcontroller has restarted</source>
+        <translation>произошла перезагрузка микроконтроллера</translation>
+    </message>
+    <message>
+        <source>the thermostat has not settled</source>
+        <translation>терморегулирование не завершено</translation>
+    </message>
+    <message>
+        <source>heating of the thermostat at minimum (fast cooling)</source>
+        <translation>минимальная мощность нагрева термостата (быстрое охлаждение)</translation>
+    </message>
+    <message>
+        <source>heating of the thermostat at maximum (fast heating)</source>
+        <translation>максимальная мощность нагрева термостата (быстрый нагрев)</translation>
+    </message>
+    <message>
+        <source>the thermostat is on</source>
+        <translation>термостат включен</translation>
+    </message>
+    <message>
+        <source>searching for its address</source>
+        <translation>поиск адреса</translation>
+    </message>
+    <message>
+        <source>error of the thermostat</source>
+        <translation>ошибка термостата</translation>
+    </message>
+    <message>
+        <source>error of the fan</source>
+        <translation>ошибка вентилятора</translation>
+    </message>
+    <message>
+        <source>temperature out of range</source>
+        <translation>температура вне диапазона</translation>
+    </message>
+    <message>
+        <source>temperature cannot be read</source>
+        <translation>ошибка чтения температуры</translation>
+    </message>
+    <message>
+        <source>the transducer is out of range</source>
+        <translation>первичный преобразователь вне диапазона</translation>
+    </message>
+    <message>
+        <source>CRC errors of the transducer</source>
+        <translation>ошибки CRC первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>the transducer does not answer</source>
+        <translation>первичный преобразователь не отвечает</translation>
+    </message>
+    <message>
+        <source>data of the fan are ready</source>
+        <translation>данные вентилятора готовы</translation>
+    </message>
+    <message>
+        <source>temperature is ready</source>
+        <translation>температура готова</translation>
+    </message>
+    <message>
+        <source>angles are ready</source>
+        <translation>углы готовы</translation>
+    </message>
+    <message>
+        <source>the restart was acknowledged</source>
+        <translation>перезагрузка подтверждена</translation>
+    </message>
+    <message>
+        <source>bit %1: %2</source>
+        <translation>бит %1: %2</translation>
+    </message>
+    <message>
+        <source>code %1: %2</source>
+        <translation>код %1: %2</translation>
+    </message>
+    <message>
+        <source>Status word of the sensor: the code of the error, then bits 11…0</source>
+        <translation>Слово состояния датчика: код ошибки, затем биты 11…0</translation>
+    </message>
+    <message>
+        <source>bits 11 and 10 do not count: the sensor has no thermostat</source>
+        <translation>биты 11 и 10 не учитываются: у датчика нет термостата</translation>
+    </message>
+    <message>
+        <source>mode, bit 6: the recording of accelerations is stopped</source>
+        <translation>режим, бит 6: запись ускорений остановлена</translation>
     </message>
 </context>
 <context>
@@ -973,6 +1528,18 @@
         <source>Information</source>
         <translation>Информация</translation>
     </message>
+    <message>
+        <source>Text of the event</source>
+        <translation>Текст события</translation>
+    </message>
+    <message>
+        <source>No event passes this filter.</source>
+        <translation>Нет событий, подходящих под этот фильтр.</translation>
+    </message>
+    <message>
+        <source>No events yet.</source>
+        <translation>Событий пока нет.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::LinePoller</name>
@@ -1089,6 +1656,14 @@
         <source>&amp;About</source>
         <translation>&amp;О программе</translation>
     </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>О&amp;бновить</translation>
+    </message>
+    <message>
+        <source>Restore &amp;columns</source>
+        <translation>&amp;Восстановить столбцы</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::MeasurementModel</name>
@@ -1119,6 +1694,41 @@
     <message>
         <source>%1: status</source>
         <translation>%1: статус</translation>
+    </message>
+    <message>
+        <source>Time and date of the record</source>
+        <translation>Время и дата записи</translation>
+    </message>
+    <message>
+        <source>Status word of the channel, the first port at the right: 0 no errors, 1 cannot be opened, 2 write errors, 3 off or not there</source>
+        <translation>Слово состояния канала, первый порт справа: 0 — нет ошибок, 1 — не открывается, 2 — ошибки записи, 3 — опрос отключен или порта нет</translation>
+    </message>
+    <message>
+        <source>%1: angle along X, arc-seconds</source>
+        <translation>%1: угол наклона по X, угл. сек.</translation>
+    </message>
+    <message>
+        <source>%1: angle along Y, arc-seconds</source>
+        <translation>%1: угол наклона по Y, угл. сек.</translation>
+    </message>
+    <message>
+        <source>%1: temperature, °C; empty if the sensor has none</source>
+        <translation>%1: температура, °C; пусто, если датчик её не измеряет</translation>
+    </message>
+    <message>
+        <source>%1: power of the thermostat&apos;s heater, %</source>
+        <translation>%1: мощность нагревательного элемента термостата, %</translation>
+    </message>
+    <message>
+        <source>%1: status word, the code and bits 11…0</source>
+        <translation>%1: слово состояния датчика, код и биты 11…0</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::MeasurementsPage</name>
+    <message>
+        <source>No measurement yet: a line comes every %1 s.</source>
+        <translation>Измерений пока нет: строка добавляется каждые %1 с.</translation>
     </message>
 </context>
 <context>
@@ -1218,6 +1828,21 @@
         <source>Attempts</source>
         <translation>Попыток</translation>
     </message>
+    <message>
+        <source>Logical name of the port</source>
+        <translation>Логическое название порта</translation>
+    </message>
+    <message>
+        <source>Present state of the port</source>
+        <translation>Текущее состояние порта</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::PortsPage</name>
+    <message>
+        <source>The configuration file lists no ports.</source>
+        <translation>В файле настроек нет портов.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::PropertyModel</name>
@@ -1232,6 +1857,10 @@
     <message>
         <source>Note</source>
         <translation>Пояснение</translation>
+    </message>
+    <message>
+        <source>in the configuration file: %1</source>
+        <translation>в файле настроек: %1</translation>
     </message>
 </context>
 <context>
@@ -1263,10 +1892,6 @@
     <message>
         <source>Power of the thermostat&apos;s heater, %</source>
         <translation>Мощность нагревательного элемента термостата, %</translation>
-    </message>
-    <message>
-        <source>Status word of the sensor: the code, then bits 11…0</source>
-        <translation>Слово состояния датчика: код, затем биты 11…0</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -1303,6 +1928,25 @@
     <message>
         <source>Status</source>
         <translation>Статус</translation>
+    </message>
+    <message>
+        <source>%1 arc-seconds</source>
+        <translation>%1 угл. сек.</translation>
+    </message>
+    <message>
+        <source>along X %1, along Y %2 mm/s²</source>
+        <translation>по X %1, по Y %2 мм/с²</translation>
+    </message>
+    <message>
+        <source>Logical name of the sensor: number, type, place, address</source>
+        <translation>Логическое название датчика: номер, тип, место установки, адрес</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SensorsPage</name>
+    <message>
+        <source>The configuration file lists no sensors.</source>
+        <translation>В файле настроек нет датчиков.</translation>
     </message>
 </context>
 <context>
@@ -1372,6 +2016,10 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Find a sensor (Ctrl+F)</source>
         <translation>Найти датчик (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Ничего не найдено</translation>
     </message>
 </context>
 <context>
@@ -1473,8 +2121,20 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
 <context>
     <name>gorizont::TableView</name>
     <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Копировать</translation>
+        <source>Copy the &amp;cell</source>
+        <translation>Копировать &amp;ячейку</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;rows</source>
+        <translation>Копировать &amp;строки</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;table</source>
+        <translation>Копировать &amp;таблицу</translation>
+    </message>
+    <message>
+        <source>Restore the columns</source>
+        <translation>Восстановить столбцы</translation>
     </message>
 </context>
 <context>
