@@ -6,6 +6,8 @@
 #include <QColor>
 #include <QtTest>
 
+#include <cmath>
+
 using namespace gorizont;
 using namespace std::chrono_literals;
 
@@ -64,6 +66,42 @@ private Q_SLOTS:
         QCOMPARE(filter.rowCount(), 2);
         filter.setShown(JournalKind::Info, true);
         QCOMPARE(filter.rowCount(), 4);
+    }
+
+    void findsText()
+    {
+        Journal journal;
+        JournalModel model(journal);
+        JournalFilter filter;
+        filter.setSourceModel(&model);
+        QVERIFY(!filter.isFiltering());
+        journal.append({JournalKind::Error, UtcTime(1518028383s), QStringLiteral("COM4 не открывается")});
+        journal.append({JournalKind::On, UtcTime(1518028384s), QStringLiteral("COM9 открыт")});
+        filter.setText(QStringLiteral("  com4 "));
+        QCOMPARE(test::modelText(filter), QStringLiteral("18:33:03 07.02.18   COM4 не открывается"));
+        filter.setText(QStringLiteral("18:33:04"));
+        QCOMPARE(test::modelText(filter), QStringLiteral("18:33:04 07.02.18   COM9 открыт"));
+        filter.setShown(JournalKind::On, false);
+        QCOMPARE(filter.rowCount(), 0);
+        QVERIFY(filter.isFiltering());
+        filter.setText({});
+        QCOMPARE(filter.rowCount(), 1);
+    }
+
+    /// Readable: 4.5 : 1 against the background, the least that WCAG 2 asks for.
+    void coloursStandOut()
+    {
+        const auto luminance = [](const QColor &colour) {
+            const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+            return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+        };
+        for (const JournalKind kind : {JournalKind::On, JournalKind::Off, JournalKind::Error}) {
+            const double onWhite = 1.05 / (luminance(journalColour(kind, false)) + 0.05);
+            const double onDark =
+                (luminance(journalColour(kind, true)) + 0.05) / (luminance(QColor(0x2d, 0x2d, 0x2d)) + 0.05);
+            QVERIFY2(onWhite >= 4.5, qPrintable(QString::number(onWhite)));
+            QVERIFY2(onDark >= 4.5, qPrintable(QString::number(onDark)));
+        }
     }
 
     void dropsWhatTheJournalDrops()
