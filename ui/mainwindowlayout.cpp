@@ -130,7 +130,8 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::restoreLayout()
 {
-    resize(QSize(1340, 800).boundedTo(screen()->availableSize()));
+    const QSize frame(20, 50); // of the window manager, which nobody knows before the window is shown
+    resize(QSize(1340, 800).boundedTo(screen()->availableSize() - frame));
     m_columns->setSizes({310, 1030});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();

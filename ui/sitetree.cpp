@@ -2,10 +2,9 @@
 
 #include "ui/models/icons.h"
 #include "ui/models/sitetreemodel.h"
+#include "ui/pages/searchfield.h"
 
 #include <QAction>
-#include <QKeyEvent>
-#include <QLineEdit>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -14,7 +13,7 @@ namespace gorizont {
 SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     : QWidget(parent)
     , m_model(new SiteTreeModel(registry, this))
-    , m_search(new QLineEdit(this))
+    , m_search(new SearchField(QStringLiteral("treeSearch"), tr("Find a sensor (Ctrl+F)"), this))
     , m_view(new QTreeView(this))
 {
     addSearch();
@@ -45,29 +44,13 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
 
 void SiteTree::addSearch()
 {
-    m_search->setObjectName(QStringLiteral("treeSearch"));
-    m_search->setPlaceholderText(tr("Find a sensor (Ctrl+F)"));
-    m_search->setClearButtonEnabled(true);
-    m_search->installEventFilter(this);
     m_nothingFound = m_search->addAction(icons::state(Health::Warning), QLineEdit::LeadingPosition);
     m_nothingFound->setObjectName(QStringLiteral("nothingFound"));
     m_nothingFound->setToolTip(tr("Nothing found"));
     m_nothingFound->setVisible(false);
     connect(m_search, &QLineEdit::textEdited, this, [this] { find(false); });
     connect(m_search, &QLineEdit::returnPressed, this, [this] { find(true); });
-}
-
-/// Esc and the arrow down lead from the search to what it found.
-bool SiteTree::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == m_search && event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent *>(event)->key();
-        if (key == Qt::Key_Escape || key == Qt::Key_Down) {
-            m_view->setFocus(Qt::OtherFocusReason);
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
+    connect(m_search, &SearchField::left, m_view, qOverload<>(&QWidget::setFocus));
 }
 
 SiteItem SiteTree::selected() const

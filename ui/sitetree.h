@@ -6,11 +6,11 @@
 #include <QWidget>
 
 class QAction;
-class QLineEdit;
 class QTreeView;
 
 namespace gorizont {
 
+class SearchField;
 class SiteTreeModel;
 
 /// The panel on the left: the tree of the site with a field to find a node in it. GUI thread.
@@ -29,15 +29,12 @@ public:
 Q_SIGNALS:
     void selectionChanged(gorizont::SiteItem item);
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void addSearch();
     void find(bool isNext);
 
     SiteTreeModel *m_model;
-    QLineEdit *m_search;
+    SearchField *m_search;
     QAction *m_nothingFound = nullptr;
     QTreeView *m_view;
 };

@@ -1,5 +1,6 @@
 #include "ui/models/journalmodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 #include "ui/models/valuetext.h"
 
@@ -56,8 +57,7 @@ QVariant JournalModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole: return QStringLiteral("%1   %2").arg(valuetext::clock(entry->time), entry->text);
     case Qt::ToolTipRole: return entry->text;
     case Qt::ForegroundRole: {
-        const bool isDark = QGuiApplication::palette().color(QPalette::Base).lightness() < 128;
-        const QColor colour = journalColour(entry->kind, isDark);
+        const QColor colour = journalColour(entry->kind, colours::isDark(QGuiApplication::palette()));
         return colour.isValid() ? QVariant(colour) : QVariant();
     }
     case Qt::DecorationRole: return journalIcon(entry->kind);

@@ -1,5 +1,6 @@
 #include "ui/models/propertymodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 
 #include <QFont>
@@ -102,9 +103,7 @@ QVariant PropertyModel::data(const QModelIndex &index, int role) const
         return {};
     case Qt::BackgroundRole: return property.isSection ? QVariant(palette.brush(QPalette::Button)) : QVariant();
     case Qt::ForegroundRole:
-        return index.column() == Note && property.replaced.isEmpty()
-            ? QVariant(palette.brush(QPalette::PlaceholderText))
-            : QVariant();
+        return index.column() == Note && property.replaced.isEmpty() ? QVariant(colours::mutedText()) : QVariant();
     default: return {};
     }
 }

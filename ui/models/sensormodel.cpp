@@ -1,13 +1,12 @@
 #include "ui/models/sensormodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 #include "ui/models/statetext.h"
 #include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
 
 #include <QFontDatabase>
-#include <QGuiApplication>
-#include <QPalette>
 
 #include <algorithm>
 #include <numeric>
@@ -146,9 +145,7 @@ QVariant SensorModel::data(const QModelIndex &index, int role) const
     case Qt::TextAlignmentRole: return QVariant::fromValue(alignment(index.column()));
     case Qt::DecorationRole: return index.column() == Sensor ? QVariant(icons::state(healthOf(sensor))) : QVariant();
     case Qt::FontRole: return index.column() == Status ? QVariant(fixedFont) : QVariant();
-    case Qt::ForegroundRole:
-        return healthOf(sensor) == Health::Off ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
-                                               : QVariant();
+    case Qt::ForegroundRole: return healthOf(sensor) == Health::Off ? QVariant(colours::mutedText()) : QVariant();
     case Qt::ToolTipRole: return toolTip(sensor, index.column());
     default: return {};
     }

@@ -1,10 +1,8 @@
 #include "ui/models/sitetreemodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 #include "ui/models/statetext.h"
-
-#include <QGuiApplication>
-#include <QPalette>
 
 #include <algorithm>
 
@@ -111,9 +109,7 @@ QVariant SiteTreeModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole: return title(item);
     case Qt::ToolTipRole: return toolTip(item);
     case Qt::DecorationRole: break;
-    case Qt::ForegroundRole:
-        return shownHealth(item) == Health::Off ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
-                                                : QVariant();
+    case Qt::ForegroundRole: return shownHealth(item) == Health::Off ? QVariant(colours::mutedText()) : QVariant();
     default: return {};
     }
     switch (item.kind) {

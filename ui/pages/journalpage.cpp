@@ -1,12 +1,12 @@
 #include "ui/pages/journalpage.h"
 
 #include "ui/models/journalmodel.h"
+#include "ui/pages/searchfield.h"
 #include "ui/pages/tableview.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLineEdit>
 #include <QVBoxLayout>
 
 namespace gorizont {
@@ -55,15 +55,13 @@ void JournalPage::addKind(QHBoxLayout *bar, JournalKind kind, const QString &tit
 
 void JournalPage::addSearch(QHBoxLayout *bar)
 {
-    auto *search = new QLineEdit(this);
-    search->setObjectName(QStringLiteral("journalSearch"));
-    search->setPlaceholderText(tr("Text of the event"));
-    search->setClearButtonEnabled(true);
+    auto *search = new SearchField(QStringLiteral("journalSearch"), tr("Text of the event"), this);
     search->setMinimumWidth(fontMetrics().averageCharWidth() * 28);
     connect(search, &QLineEdit::textChanged, this, [this](const QString &text) {
         m_filter->setText(text);
         onFilterChanged();
     });
+    connect(search, &SearchField::left, m_view, qOverload<>(&QWidget::setFocus));
     bar->addStretch(1);
     bar->addWidget(search, 2);
 }

@@ -18,10 +18,10 @@ PropertiesPage::PropertiesPage(const QString &tableName, Notes notes, QWidget *p
     TableColumns &columns = m_view->columns();
     columns.setSample(PropertyModel::Name, m_widestName);
     if (notes == Notes::InColumn) {
-        columns.setSample(PropertyModel::Value, QString(32, u'n'));
-        columns.setElastic(PropertyModel::Note, QString(40, u'n'));
+        columns.setSample(PropertyModel::Value, QString(26, u'n'));
+        columns.setElastic(PropertyModel::Note, QString(24, u'n'));
     } else {
-        columns.setElastic(PropertyModel::Value, QString(60, u'n'));
+        columns.setElastic(PropertyModel::Value, QString(48, u'n'));
     }
     connect(m_model, &PropertyModel::modelReset, this, &PropertiesPage::onNamesChanged);
     auto *layout = new QVBoxLayout(this);

@@ -1,5 +1,6 @@
 #include "ui/pages/tableview.h"
 
+#include "ui/models/colours.h"
 #include "ui/pages/endfollower.h"
 #include "ui/pages/tablecolumns.h"
 #include "ui/pages/tabletext.h"
@@ -139,7 +140,7 @@ void TableView::paintEvent(QPaintEvent *event)
         return;
     }
     QPainter painter(viewport());
-    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.setPen(colours::mutedText(palette()));
     constexpr int margin = 4 * TableColumns::sideMargin;
     painter.drawText(
         viewport()->rect().adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
