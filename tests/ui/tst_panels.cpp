@@ -1,5 +1,6 @@
 #include "ui/mainwindow.h"
 
+#include "tests/ui/contrast.h"
 #include "tests/ui/samplesite.h"
 #include "translations/translation.h"
 
@@ -208,6 +209,34 @@ private Q_SLOTS:
                 }
             }
         }
+    }
+
+    /// Desktops switch between light and dark while the program runs; some dark ones leave hints black.
+    void everythingIsReadableInLightAndDark()
+    {
+        const QPalette before = QApplication::palette();
+        const QList<std::pair<QColor, QColor>> pairs{
+            {Qt::black, Qt::white}, {QColor(252, 252, 252), QColor(27, 30, 32)}};
+        for (const auto &[text, base] : pairs) {
+            QPalette palette = before;
+            palette.setColor(QPalette::Text, text);
+            palette.setColor(QPalette::Base, base);
+            palette.setColor(QPalette::PlaceholderText, Qt::black);
+            QApplication::setPalette(palette);
+            for (const char *name : {"treeSearch", "journalSearch"}) {
+                const QPalette own = find<QLineEdit>(name)->palette();
+                QVERIFY(test::contrast(own.color(QPalette::PlaceholderText), own.color(QPalette::Base)) >= 4.5);
+            }
+            // a sensor that is off, an explanation, a sentence of the journal
+            m_journal->add(JournalKind::Error, u"error"_s);
+            const QModelIndex off = find<QTableView>("sensorsTable")->model()->index(3, 0);
+            const QModelIndex note = find<QTableView>("settingsTable")->model()->index(1, 2);
+            const QModelIndex event = find<QTableView>("journalTable")->model()->index(0, 0);
+            for (const QModelIndex &index : {off, note, event}) {
+                QVERIFY(test::contrast(index.data(Qt::ForegroundRole).value<QColor>(), base) >= 4.5);
+            }
+        }
+        QApplication::setPalette(before);
     }
 
     void journalIsFilteredByText()
