@@ -61,6 +61,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
+    /// F5: ports that are gone or parked sensors are to be tried at once.
+    void retryRequested();
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -71,12 +73,15 @@ protected:
 private:
     void buildPanels(Journal &journal);
     void buildMenus();
+    void buildViewMenu();
     void buildStatusBar();
     QAction *addGoAction(QMenu *menu, const QString &title, int digit, const std::function<void()> &go);
     void restoreLayout();
     void saveLayout() const;
 
     void refresh();
+    void retry();
+    void restoreColumns();
     void updateRefreshing();
     void showItem(SiteItem item);
     void goToPort();
