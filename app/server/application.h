@@ -38,6 +38,8 @@ public:
 
     SensorRegistry &registry() { return m_registry; }
     Journal &journal() { return m_journal; }
+    /// The worker of section [Port\a port]; null when the port is off.
+    LineWorker *worker(int port) const { return m_acquisition.worker(port); }
 
     void start();
 

@@ -96,6 +96,7 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     QApplication::setQuitOnLastWindowClosed(false);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gorizont.svg")));
     MainWindow window(application.registry(), application.journal(), site.reading.config, site.reading.complaints);
+    window.offerService([&application](int port) { return application.worker(port); }, application.journal());
     const TrayIcon tray(window, application.registry());
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
