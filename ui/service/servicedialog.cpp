@@ -126,12 +126,10 @@ void ServiceDialog::showFound()
     refresh();
 }
 
+/// The same address again is read again.
 void ServiceDialog::choose(int index)
 {
     const int wanted = m_addresses->itemData(index).toInt();
-    if (wanted == m_address) {
-        return;
-    }
     confirm(
         unfinished(false), tr("&Discard"),
         [this, wanted] {
