@@ -116,7 +116,7 @@ void MainWindow::offerService(const WorkerOfPort &worker, Journal &journal)
     if (!m_service->isOffered()) {
         return;
     }
-    auto *menu = new QMenu(tr("Ser&vice"), this);
+    auto *menu = new QMenu(tr("&Service"), this);
     menu->setObjectName(QStringLiteral("serviceMenu"));
     menuBar()->insertMenu(menuBar()->actions().constLast(), menu);
     m_service->fill(menu, selectedLine());

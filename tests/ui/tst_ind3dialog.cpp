@@ -193,6 +193,7 @@ private Q_SLOTS:
             QList<QByteArray>({"7e9c040bcdeee2fbe920e4e0f2f7e8ea637e", "7e9c060b00000000c800597e"}));
         QVERIFY(!button("applySettings")->isEnabled());
         QCOMPARE(find<QLineEdit>("nameEdit")->text(), QStringLiteral("Новый датчик"));
+        QVERIFY(find<QLineEdit>("offsetXEdit")->hasFocus()); // where it was
         const QStringList lines = m_bench->journalTexts(JournalKind::Info);
         QVERIFY(lines.contains(QStringLiteral("COM16, ИН-Д3 address 11: averaging ticks 16, written")));
         QVERIFY(lines.contains(QStringLiteral("COM16, ИН-Д3 address 11: name “Новый датчик”, written")));
@@ -250,6 +251,7 @@ private Q_SLOTS:
         QCOMPARE(offered->findData(11), -1);
         QCOMPARE(offered->findData(24), -1);
         QCOMPARE(offered->itemText(offered->findData(40)), QStringLiteral("40 (N 3 in the ini)"));
+        QVERIFY(!button("newAddressApply")->isEnabled()); // nothing is chosen yet
         m_bench->forgetSent();
         button("newAddressCancel")->click();
         QTRY_VERIFY(!m_dialog->findChild<QDialog *>(QStringLiteral("newAddressDialog")));

@@ -65,31 +65,30 @@ QString And3Dialog::unfinished(bool isLeaving) const
 
 void And3Dialog::showSensor()
 {
+    const bool isToRead = address() != 0 && isInService();
+    if (isToRead) {
+        beginWork(); // first, so that the focus is remembered
+    }
     m_form->clear();
     m_form->offer(port().line, scan()->free());
     m_form->showRestart({});
-    if (address() == 0 || !isInService()) {
+    if (!isToRead) {
         updateControls();
         return;
     }
-    beginWork();
     const QString before = std::exchange(m_outcome, {});
     say(before.isEmpty() ? tr("Reading sensor %1…").arg(address()) : before);
     run([service = service(), to = address()](Line &line) { return service.read(line, to); },
         [this, before, to = address()](const Result<and3::Settings> &settings) {
-            endWork();
-            if (to != address() || !isInService()) {
-                return;
-            }
-            QStringList said{before};
-            if (settings) {
+            const bool isWanted = to == address() && isInService();
+            if (isWanted && settings) {
                 m_form->showSettings(*settings);
-            } else {
-                said << tr("Sensor %1 cannot be read: %2.").arg(to).arg(servicetext::fault(settings.fault()));
             }
-            said.removeAll(QString());
-            say(said.join(u'\n'));
-            updateControls();
+            endWork();
+            if (isWanted) {
+                const QString fault = settings ? QString() : servicetext::fault(settings.fault());
+                say(before, settings ? QString() : tr("Sensor %1 cannot be read: %2.").arg(to).arg(fault));
+            }
         });
 }
 

@@ -58,8 +58,8 @@ QGroupBox *And3Form::makeExchange(QComboBox *addresses)
 QGroupBox *And3Form::makeData()
 {
     auto *group = new QGroupBox(tr("Data"), this);
-    m_temperature = valueLabel(QStringLiteral("liveTemperature"), group);
-    m_tilt = valueLabel(QStringLiteral("liveTilt"), group);
+    m_temperature = valueLabel(QStringLiteral("liveTemperature"), QStringLiteral("-131.07"), group);
+    m_tilt = valueLabel(QStringLiteral("liveTilt"), QStringLiteral("-16383.9 -16383.9"), group);
     auto *grid = new QGridLayout(group);
     grid->addWidget(new QLabel(tr("Temperature, °C:"), group), 0, 0);
     grid->addWidget(m_temperature, 0, 1);
@@ -72,8 +72,8 @@ QGroupBox *And3Form::makeData()
 QGroupBox *And3Form::makeSystem()
 {
     auto *group = new QGroupBox(tr("System"), this);
-    m_address = valueLabel(QStringLiteral("currentAddress"), group);
-    m_firmware = valueLabel(QStringLiteral("firmware"), group);
+    m_address = valueLabel(QStringLiteral("currentAddress"), QStringLiteral("255"), group);
+    m_firmware = valueLabel(QStringLiteral("firmware"), QStringLiteral("255.255.255"), group);
     m_newAddress = new QComboBox(group);
     m_newAddress->setObjectName(QStringLiteral("newAddressCombo"));
     m_write = new QPushButton(tr("&Write"), group);

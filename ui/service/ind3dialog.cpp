@@ -33,7 +33,7 @@ Ind3Dialog::Ind3Dialog(const ServicePort &port, QWidget *parent)
     , m_change(new QPushButton(tr("C&hange"), this))
     , m_protocols(new QComboBox(this))
     , m_form(new Ind3Form(addresses(), m_change, m_protocols, this))
-    , m_apply(new QPushButton(tr("Appl&y the new settings"), this))
+    , m_apply(new QPushButton(tr("Apply the ne&w settings"), this))
 {
     setObjectName(QStringLiteral("ind3Dialog"));
     m_change->setObjectName(QStringLiteral("changeAddress"));
@@ -100,32 +100,34 @@ void Ind3Dialog::showSensor()
 /// Says \a before, what was done, together with what reading brings.
 void Ind3Dialog::read(const QString &before)
 {
-    m_form->clear();
     if (address() == 0 || !isInService()) {
+        m_form->clear();
         updateControls();
         return;
     }
-    beginWork();
+    beginWork(); // first, so that the focus is remembered
+    m_form->clear();
     say(before.isEmpty() ? tr("Reading sensor %1…").arg(address()) : before);
     run([service = service(), to = address()](Line &line) { return service.read(line, to); },
         [this, before, to = address()](const Result<ind3::Settings> &settings) {
-            endWork();
-            if (to != address() || !isInService()) {
-                return;
-            }
-            QStringList said{before};
-            if (settings) {
+            const bool isWanted = to == address() && isInService();
+            if (isWanted && settings) {
                 m_form->showSettings(*settings);
-                if (settings->selfTest) {
-                    said << tr("The sensor reports that a check sum of its memory is wrong: it needs repair.");
-                }
-            } else {
-                said << tr("Sensor %1 cannot be read: %2.").arg(to).arg(servicetext::fault(settings.fault()));
             }
-            said.removeAll(QString());
-            say(said.join(u'\n'));
-            updateControls();
+            endWork();
+            if (isWanted) {
+                say(before, readText(to, settings));
+            }
         });
+}
+
+QString Ind3Dialog::readText(int to, const Result<ind3::Settings> &settings) const
+{
+    if (!settings) {
+        return tr("Sensor %1 cannot be read: %2.").arg(to).arg(servicetext::fault(settings.fault()));
+    }
+    return settings->selfTest ? tr("The sensor reports that a check sum of its memory is wrong: it needs repair.")
+                              : QString();
 }
 
 void Ind3Dialog::readLive()
@@ -215,8 +217,8 @@ void Ind3Dialog::changeAddress(int newAddress)
         return;
     }
     const int from = address();
-    m_form->clear();
     beginWork(tr("new address %1").arg(newAddress));
+    m_form->clear();
     say(tr("Writing: %1…").arg(tr("new address %1").arg(newAddress)));
     run([service = service(), from, newAddress](Line &line) { return service.changeAddress(line, from, newAddress); },
         [this, from, newAddress](const Result<void> &changed) { onAddressChanged(from, newAddress, changed); });

@@ -27,6 +27,7 @@ protected:
 private:
     ind3::Service service() const;
     void read(const QString &before);
+    QString readText(int to, const Result<ind3::Settings> &settings) const;
     void apply();
     void writeNext();
     void take(const ind3::Changes &change, const Result<QList<ind3::Outcome>> &outcome);

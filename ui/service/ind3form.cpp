@@ -71,7 +71,7 @@ QGroupBox *Ind3Form::makeExchange(QComboBox *addresses, QPushButton *change, QCo
     m_name->setMaxLength(static_cast<int>(ind3::longestName));
     m_name->setToolTip(tr("Up to %1 characters: Latin, Cyrillic, digits and signs. The sensor keeps the name.")
                            .arg(ind3::longestName));
-    m_baud = valueLabel(QStringLiteral("sensorSpeed"), group);
+    m_baud = valueLabel(QStringLiteral("sensorSpeed"), QStringLiteral("115200"), group);
     m_baud->setToolTip(tr("The speed is shown only; this program does not change it."));
     auto *grid = new QGridLayout(group);
     grid->addWidget(labelFor(tr("&Address on the line:"), addresses), 0, 0);
@@ -90,9 +90,9 @@ QGroupBox *Ind3Form::makeExchange(QComboBox *addresses, QPushButton *change, QCo
 QGroupBox *Ind3Form::makeAbout()
 {
     auto *group = new QGroupBox(tr("About the device"), this);
-    m_version = valueLabel(QStringLiteral("sensorVersion"), group);
-    m_revision = valueLabel(QStringLiteral("softwareRevision"), group);
-    m_serialNumber = valueLabel(QStringLiteral("factoryNumber"), group);
+    m_version = valueLabel(QStringLiteral("sensorVersion"), QStringLiteral("v2.11"), group);
+    m_revision = valueLabel(QStringLiteral("softwareRevision"), QStringLiteral("65535"), group);
+    m_serialNumber = valueLabel(QStringLiteral("factoryNumber"), QStringLiteral("4294967295"), group);
     auto *grid = new QGridLayout(group);
     grid->addWidget(new QLabel(tr("Version of the sensor:"), group), 0, 0);
     grid->addWidget(m_version, 0, 1);
@@ -130,10 +130,11 @@ QGroupBox *Ind3Form::makeMeasuring()
         const int period = static_cast<int>(ind3::periodOfCode(code)->count());
         m_period->addItem(QString::number(period), period);
     }
-    m_tilt = valueLabel(QStringLiteral("liveTilt"), group);
+    m_tilt = valueLabel(QStringLiteral("liveTilt"), QStringLiteral("-16383.9 -16383.9"), group);
     m_problem = new QLabel(group);
     m_problem->setObjectName(QStringLiteral("formProblem"));
     m_problem->setWordWrap(true);
+    m_problem->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing moves when it has something to say
     auto *grid = new QGridLayout(group);
     grid->addWidget(labelFor(tr("Zero offset &X, ″:"), m_offsetX), 0, 0);
     grid->addWidget(m_offsetX, 0, 1);

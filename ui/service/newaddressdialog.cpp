@@ -21,13 +21,15 @@ NewAddressDialog::NewAddressDialog(const LineConfig &line, int address, const QL
     for (const int one : free) {
         m_addresses->addItem(servicetext::addressTitle(line, one), one);
     }
+    m_addresses->setCurrentIndex(-1);
     auto *hint = new QLabel(tr("Addresses where a sensor was found are not offered."), this);
     hint->setWordWrap(true);
     auto *buttons = new QDialogButtonBox(this);
     QPushButton *apply = buttons->addButton(tr("&Apply"), QDialogButtonBox::AcceptRole);
     apply->setObjectName(QStringLiteral("newAddressApply"));
     apply->setDefault(true);
-    apply->setEnabled(!free.isEmpty());
+    apply->setEnabled(false);
+    connect(m_addresses, &QComboBox::currentIndexChanged, apply, [apply](int index) { apply->setEnabled(index >= 0); });
     buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole)->setObjectName(QStringLiteral("newAddressCancel"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -11,10 +11,10 @@ PortGroup::PortGroup(const LineConfig &line, QWidget *parent)
     : QGroupBox(tr("COM port"), parent)
     , m_button(new QPushButton(this))
 {
-    QLabel *number = valueLabel(QStringLiteral("portNumber"), this);
+    QLabel *number = valueLabel(QStringLiteral("portNumber"), QStringLiteral("256"), this);
     number->setText(QString::number(line.com));
     number->setToolTip(line.device);
-    QLabel *speed = valueLabel(QStringLiteral("portSpeed"), this);
+    QLabel *speed = valueLabel(QStringLiteral("portSpeed"), QStringLiteral("115200"), this);
     speed->setText(QString::number(line.baudRate));
     m_button->setObjectName(QStringLiteral("portButton"));
     auto *layout = new QHBoxLayout(this);

@@ -30,9 +30,7 @@ ScanPanel::ScanPanel(QWidget *parent)
     , m_text(new QLabel(this))
 {
     m_count->setObjectName(QStringLiteral("foundCount"));
-    m_count->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
-    m_count->setAlignment(Qt::AlignCenter);
-    m_count->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000")));
+    m_count->setMinimumWidth(fontMetrics().horizontalAdvance(QString::number(AddressScan::last)));
     m_button->setObjectName(QStringLiteral("scanButton"));
     m_progress->setObjectName(QStringLiteral("scanProgress"));
     m_progress->setTextVisible(false);

@@ -190,14 +190,14 @@ void ServiceDialog::refresh()
     m_portGroup->setInService(isInService());
     m_portGroup->setButtonEnabled(!m_isEntering && m_writing.isEmpty());
     m_addresses->setEnabled(isInService() && !m_scan->isScanning() && m_writing.isEmpty() && m_addresses->count() > 0);
-    m_scan->setScanEnabled(isReady());
+    m_scan->setScanEnabled(isInService() && !m_isBusy);
     m_exit->setEnabled(!m_isLeaving);
     updateControls();
 }
 
-void ServiceDialog::say(const QString &text)
+void ServiceDialog::say(const QString &text, const QString &more)
 {
-    m_said = text;
+    m_said = text.isEmpty() || more.isEmpty() ? text + more : text + u'\n' + more;
     showMessage();
 }
 

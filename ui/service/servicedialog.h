@@ -84,7 +84,7 @@ protected:
     /// The sensor that is shown has moved.
     void moveTo(int newAddress);
 
-    void say(const QString &text); ///< in the lines at the bottom
+    void say(const QString &text, const QString &more = {}); ///< in the lines at the bottom
     void note(JournalKind kind, int address, const QString &text); ///< in the journal
     /// Asks \a question; \a go on \a yes, else \a stay. Goes at once if there is no question.
     void confirm(const QString &question, const QString &yes, const Action &go, const Action &stay = {});

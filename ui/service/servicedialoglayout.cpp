@@ -38,7 +38,7 @@ ServiceDialog::ServiceDialog(SensorType type, const ServicePort &port, QWidget *
     , m_addresses(new QComboBox(this))
     , m_scan(new ScanPanel(this))
     , m_message(new QLabel(this))
-    , m_exit(new QPushButton(tr("E&xit"), this))
+    , m_exit(new QPushButton(tr("Ex&it"), this))
     , m_liveTimer(new QTimer(this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
