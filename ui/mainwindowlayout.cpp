@@ -113,6 +113,35 @@ void MainWindow::buildViewMenu()
     restore->setObjectName(QStringLiteral("restoreAllColumnsAction"));
 }
 
+int MainWindow::selectedLine() const
+{
+    const SiteItem item = m_tree->selected();
+    switch (item.kind) {
+    case SiteItem::Kind::Line: return item.index;
+    case SiteItem::Kind::Sensor: return m_registry.sensors()[static_cast<std::size_t>(item.index)].line;
+    case SiteItem::Kind::Server: break;
+    }
+    return -1;
+}
+
+void MainWindow::offerService(const WorkerOfPort &worker, Journal &journal)
+{
+    m_service = std::make_unique<ServiceDesk>(m_config, m_registry, journal, worker, this);
+    if (!m_service->isOffered()) {
+        return;
+    }
+    auto *menu = new QMenu(tr("&Service"), this);
+    menu->setObjectName(QStringLiteral("serviceMenu"));
+    menuBar()->insertMenu(menuBar()->actions().constLast(), menu);
+    m_service->fill(menu, selectedLine());
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { m_service->fill(menu, selectedLine()); });
+    connect(m_tree, &SiteTree::menuWanted, this, [this](SiteItem item, const QPoint &position) {
+        if (item.kind == SiteItem::Kind::Line) {
+            m_service->showMenu(item.index, position);
+        }
+    });
+}
+
 void MainWindow::buildStatusBar()
 {
     m_counts = new QLabel(this);

@@ -40,6 +40,12 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
         Q_EMIT selectionChanged(m_model->itemAt(current));
     });
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QWidget::customContextMenuRequested, this, [this](const QPoint &position) {
+        if (const QModelIndex index = m_view->indexAt(position); index.isValid()) {
+            Q_EMIT menuWanted(m_model->itemAt(index), m_view->viewport()->mapToGlobal(position));
+        }
+    });
 }
 
 void SiteTree::addSearch()

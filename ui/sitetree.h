@@ -28,6 +28,8 @@ public:
 
 Q_SIGNALS:
     void selectionChanged(gorizont::SiteItem item);
+    /// Right button or the menu key on a node.
+    void menuWanted(gorizont::SiteItem item, const QPoint &globalPosition);
 
 private:
     void addSearch();
