@@ -95,7 +95,7 @@ void Application::makeModbus()
     ModbusServer *modbus = m_modbus.get();
     connect(&m_registry, &SensorRegistry::readingsChanged, modbus, &ModbusServer::updateReadings, Qt::QueuedConnection);
     connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
-    connect(modbus, &ModbusServer::journal, &m_journal, &Journal::append);
+    connect(&modbus->desk(), &ClientDesk::journal, &m_journal, &Journal::append);
     connect(modbus, &ModbusServer::stateChanged, this, [this](QModbusDevice::State state) {
         Q_EMIT serverStatusChanged(modbusText(state));
     });

@@ -1,4 +1,4 @@
-#include "core/modbus/tcplistener.h"
+#include "core/net/tcplistener.h"
 
 #include <cerrno>
 #include <memory>
