@@ -100,13 +100,16 @@ void ClientDesk::close()
 void ClientDesk::onConnected(QTcpSocket *socket)
 {
     const QHostAddress address = plainAddress(socket->peerAddress());
-    if (m_allowed.admits(address)) {
+    const bool isStillThere = !address.isNull(); // a reset in the queue of connections leaves no address
+    if (isStillThere && m_allowed.admits(address)) {
         admit(socket);
         return;
     }
     socket->abort();
     socket->deleteLater();
-    tellTrouble(ClientTrouble::Refused, address);
+    if (isStillThere) {
+        tellTrouble(ClientTrouble::Refused, address);
+    }
 }
 
 void ClientDesk::admit(QTcpSocket *socket)

@@ -20,8 +20,6 @@ ClientPeer::ClientPeer(
 {
     m_socket->setParent(this);
     m_socket->setReadBufferSize(m_readLimit);
-    m_socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
-    m_socket->setSocketOption(QAbstractSocket::KeepAliveOption, 1);
     m_stall.setSingleShot(true);
     m_stall.setInterval(stallLimit);
     m_patience.setSingleShot(true);

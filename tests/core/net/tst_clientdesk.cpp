@@ -212,6 +212,44 @@ private Q_SLOTS:
         QTRY_VERIFY(shown.isEmpty());
     }
 
+    void saysNothingOfWhoHasGoneAlready()
+    {
+        ClientDesk desk(toyService(), DeskConfig());
+        JournalSpy journal(desk);
+        QVERIFY(desk.open(loopback(), 0));
+        for (int i = 0; i < 20; ++i) {
+            RawSocket scanner;
+            QVERIFY(scanner.connect(desk.port()));
+            scanner.resetOnClose();
+        }
+        TestClient client(desk.port());
+        QCOMPARE(client.ask(request, 45).size(), 45);
+        QCOMPARE(journal.entries().size(), 2); // serving, and the client with its address
+        QVERIFY(journal.has(JournalKind::Info, "client 127.0.0.1 connected"));
+        QTRY_COMPARE(desk.clients().size(), 1);
+    }
+
+    void noticesADeadPeerWithinMinutes()
+    {
+        TcpListener listener(1000ms, 1000ms);
+        std::unique_ptr<QTcpSocket> accepted;
+        connect(&listener, &TcpListener::connected, this, [&accepted](QTcpSocket *socket) { accepted.reset(socket); });
+        listener.start(QHostAddress(QHostAddress::LocalHost), 0);
+        TestClient client(listener.port());
+        QTRY_VERIFY(accepted);
+        const auto option = [&accepted](int level, int name) {
+            int value = -1;
+            socklen_t size = sizeof value;
+            ::getsockopt(static_cast<int>(accepted->socketDescriptor()), level, name, &value, &size);
+            return value;
+        };
+        QCOMPARE(option(SOL_SOCKET, SO_KEEPALIVE), 1);
+        QCOMPARE(option(IPPROTO_TCP, TCP_NODELAY), 1);
+        QVERIFY(
+            option(IPPROTO_TCP, TCP_KEEPIDLE) + option(IPPROTO_TCP, TCP_KEEPCNT) * option(IPPROTO_TCP, TCP_KEEPINTVL)
+            <= 180); // seconds
+    }
+
     void endsAndStartsAgain()
     {
         ClientDesk desk(toyService(), DeskConfig());
