@@ -21,6 +21,7 @@ ROOMS = {
     "core/history": ["core/values", "core/config", "core/registry"],
     "core/net": ["core/values"],
     "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
+    "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
     "ui": ["core/values", "core/config", "core/registry", "core/engine/lineworker.h", "resources"],
