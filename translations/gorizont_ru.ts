@@ -68,80 +68,8 @@
 <context>
     <name>Modbus</name>
     <message>
-        <source>Another program uses this port. Stop that program or choose another IPPort1.</source>
-        <translation>Этот порт занят другой программой. Завершите её или выберите другой IPPort1.</translation>
-    </message>
-    <message>
-        <source>Ports below 1024 need a right. Choose another IPPort1, or give the right once: sudo setcap cap_net_bind_service=+ep %1</source>
-        <translation>Для портов ниже 1024 нужно право. Выберите другой IPPort1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %1</translation>
-    </message>
-    <message>
-        <source>This computer does not have the address given in ModbusBind.</source>
-        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Check IPPort1 and ModbusBind.</source>
-        <translation>Проверьте IPPort1 и ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: serving on port %1.</source>
-        <translation>Modbus TCP: сервер работает на порту %1.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: stopped.</source>
-        <translation>Modbus TCP: сервер остановлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: cannot serve on port %1 (%2). %3 Trying again every %4 s.</source>
-        <translation>Modbus TCP: порт %1 недоступен (%2). %3 Попытки повторяются каждые %4 с.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
-        <translation>Modbus TCP: «%1» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
-        <translation>Modbus TCP: «%1» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
-    </message>
-    <message>
         <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are not served.</source>
         <translation>Modbus TCP: датчики (%1, первый из них N=%2) не умещаются до регистра 65536 и не передаются.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients cannot be accepted (%1). Those connected are served on. Trying again every second.</source>
-        <translation>Modbus TCP: новые клиенты не принимаются (%1). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients are accepted again.</source>
-        <translation>Modbus TCP: новые клиенты снова принимаются.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 connected.</source>
-        <translation>Клиент Modbus %1 подключился.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 has not been here since %2.</source>
-        <translation>Клиента Modbus %1 не было с %2.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was refused: ModbusAllow does not list it.</source>
-        <translation>Клиенту Modbus %1 отказано: его нет в ModbusAllow.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it does not speak Modbus TCP (wrong length of a request).</source>
-        <translation>Клиент Modbus %1 отключён: его запросы не по протоколу Modbus TCP (неверная длина).</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asks and does not read the answers.</source>
-        <translation>Клиент Modbus %1 отключён: он запрашивает, но не читает ответы.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asked nothing for longer than ModbusIdle.</source>
-        <translation>Клиент Modbus %1 отключён: не было запросов дольше ModbusIdle.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
-        <translation>Клиент Modbus %1 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
     </message>
 </context>
 <context>
@@ -443,6 +371,22 @@
     <message>
         <source>The first one counts.</source>
         <translation>Действует первый.</translation>
+    </message>
+    <message>
+        <source>%1 is the port of Modbus TCP already.</source>
+        <translation>%1 — уже порт Modbus TCP.</translation>
+    </message>
+    <message>
+        <source>ADC24 TCP is switched off.</source>
+        <translation>ADC24 TCP выключен.</translation>
+    </message>
+    <message>
+        <source>The first accelerometer is used.</source>
+        <translation>Используется первый акселерометр.</translation>
+    </message>
+    <message>
+        <source>The site has no accelerometer with number %1.</source>
+        <translation>На объекте нет акселерометра с номером %1.</translation>
     </message>
 </context>
 <context>
@@ -861,6 +805,89 @@
     <message>
         <source>the file is far too large to be a configuration</source>
         <translation>файл слишком велик для файла настроек</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::DeskSentences</name>
+    <message>
+        <source>%1: serving on port %2.</source>
+        <translation>%1: сервер работает на порту %2.</translation>
+    </message>
+    <message>
+        <source>%1: stopped.</source>
+        <translation>%1: сервер остановлен.</translation>
+    </message>
+    <message>
+        <source>%1: cannot serve on port %2 (%3). %4 Trying again every %5 s.</source>
+        <translation>%1: порт %2 недоступен (%3). %4 Попытки повторяются каждые %5 с.</translation>
+    </message>
+    <message>
+        <source>Another program uses this port. Stop that program or choose another %1.</source>
+        <translation>Этот порт занят другой программой. Завершите её или выберите другой %1.</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need a right. Choose another %1, or give the right once: sudo setcap cap_net_bind_service=+ep %2</source>
+        <translation>Для портов ниже 1024 нужно право. Выберите другой %1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %2</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address given in ModbusBind.</source>
+        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
+    </message>
+    <message>
+        <source>Check %1 and ModbusBind.</source>
+        <translation>Проверьте %1 и ModbusBind.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
+        <translation>%1: «%2» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
+        <translation>%1: «%2» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
+    </message>
+    <message>
+        <source>%1: new clients cannot be accepted (%2). Those connected are served on. Trying again every second.</source>
+        <translation>%1: новые клиенты не принимаются (%2). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
+    </message>
+    <message>
+        <source>%1: new clients are accepted again.</source>
+        <translation>%1: новые клиенты снова принимаются.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 connected.</source>
+        <translation>%1: клиент %2 подключился.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 has not been here since %3.</source>
+        <translation>%1: клиента %2 не было с %3.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 (its port %3) was cut off by the operator.</source>
+        <translation>%1: клиент %2 (его порт %3) отключён оператором.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was refused: ModbusAllow does not list it.</source>
+        <translation>%1: клиенту %2 отказано: его нет в ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it does not speak %1 (wrong length of a request).</source>
+        <translation>%1: клиент %2 отключён: его запросы не по протоколу %1 (неверная длина).</translation>
+    </message>
+    <message>
+        <source>%1: client %2 sends what is no request (wrong length, address or command) and gets no answer.</source>
+        <translation>%1: клиент %2 присылает не запросы (неверная длина, адрес или команда), ответа на них нет.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asks and does not read the answers.</source>
+        <translation>%1: клиент %2 отключён: он запрашивает, но не читает ответы.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asked nothing for longer than ModbusIdle.</source>
+        <translation>%1: клиент %2 отключён: не было запросов дольше ModbusIdle.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
+        <translation>%1: клиент %2 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
     </message>
 </context>
 <context>
