@@ -38,7 +38,6 @@ namespace adc24 {
 constexpr qsizetype requestSize = 13;
 constexpr quint32 mostSamples = 8192; ///< in an answer
 constexpr qsizetype headerSize = 24; ///< before the samples
-constexpr qsizetype answerLimit = headerSize + 2 * qsizetype{mostSamples}; ///< bytes
 } // namespace adc24
 
 /// Appends to \a answers one answer for each request in \a received, in their order. Pure.
