@@ -1,4 +1,4 @@
-#include "core/modbus/clientdiary.h"
+#include "core/net/clientdiary.h"
 
 namespace gorizont {
 

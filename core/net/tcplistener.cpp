@@ -1,7 +1,9 @@
-#include "core/modbus/tcplistener.h"
+#include "core/net/tcplistener.h"
 
 #include <cerrno>
 #include <memory>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -13,7 +15,25 @@ using namespace std::chrono_literals;
 
 constexpr int backlog = 512; ///< connections the system holds before they are accepted; the default of 50 drops some
 constexpr int acceptsPerTurn = 64; ///< then those who are connected have their turn
+constexpr int keepAliveIdle = 60; ///< seconds of silence before the first probe; the system's default is two hours
+constexpr int keepAliveInterval = 10; ///< seconds between two probes
+constexpr int keepAliveProbes = 6; ///< unanswered, then the connection is over
 constexpr auto acceptCalm = 60s; ///< without a failed accept until the trouble counts as over
+
+void setOption(int descriptor, int level, int name, int value)
+{
+    ::setsockopt(descriptor, level, name, &value, sizeof value);
+}
+
+/// Small answers leave at once, and a peer whose cable was pulled is noticed after two minutes.
+void prepare(int descriptor)
+{
+    setOption(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
+    setOption(descriptor, SOL_SOCKET, SO_KEEPALIVE, 1);
+    setOption(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, keepAliveIdle);
+    setOption(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, keepAliveInterval);
+    setOption(descriptor, IPPROTO_TCP, TCP_KEEPCNT, keepAliveProbes);
+}
 
 /// Reasons to wait; everything else is about the one connection that was to be accepted (accept(2)).
 bool isOutOfMeans(int error)
@@ -99,6 +119,7 @@ void TcpListener::acceptSome()
         if (descriptor < 0) {
             return; // nobody more, or somebody who has already gone
         }
+        prepare(descriptor);
         auto socket = std::make_unique<QTcpSocket>();
         if (socket->setSocketDescriptor(descriptor)) {
             Q_EMIT connected(socket.release());

@@ -1,4 +1,4 @@
-#include "core/modbus/allowlist.h"
+#include "core/net/allowlist.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/modbus/modbusserver.h"
+#include "core/net/clientdesk.h"
 
 #include <QTcpSocket>
 #include <QTest>
 
 namespace gorizont::test {
 
-/// A Modbus client that speaks in bytes, in the thread of the server.
+/// A client that speaks in bytes, in the thread of the server.
 class TestClient
 {
 public:
@@ -59,13 +59,13 @@ private:
     bool m_isDecided = false;
 };
 
-/// What a server tells the journal.
+/// What a desk tells the journal.
 class JournalSpy
 {
 public:
-    explicit JournalSpy(const ModbusServer &server)
+    explicit JournalSpy(const ClientDesk &desk)
     {
-        QObject::connect(&server, &ModbusServer::journal, &server, [this](const JournalEntry &entry) {
+        QObject::connect(&desk, &ClientDesk::journal, &desk, [this](const JournalEntry &entry) {
             m_entries.append(entry);
         });
     }

@@ -11,7 +11,8 @@ namespace gorizont {
 /// What may be told about a client beside its coming and going.
 enum class ClientTrouble : quint8 {
     Refused, ///< not in ModbusAllow
-    Malformed, ///< sent a length outside 2…254
+    Malformed, ///< sent what makes the next request impossible to find
+    Unanswered, ///< sent something that is no request, and stays
     Stalled, ///< asks and does not take the answers
     Idle, ///< connected and silent
     GaveWay, ///< was the longest idle when all places were taken

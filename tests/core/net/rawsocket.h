@@ -26,6 +26,13 @@ public:
 
     void setReceiveBuffer(int bytes) { ::setsockopt(m_fd, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof bytes); }
 
+    /// The other end gets a reset instead of an end.
+    void resetOnClose()
+    {
+        const linger hard{1, 0};
+        ::setsockopt(m_fd, SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
+    }
+
     /// To 127.0.0.1; whether the connection is made or on its way.
     bool connect(quint16 port)
     {
