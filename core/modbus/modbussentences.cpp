@@ -60,14 +60,19 @@ QString badAllowEntry(const QString &text)
         .arg(text);
 }
 
-QString unreachableSensors(const QList<int> &numbers)
+QString unreachableSensors(const UnreachableSensors &sensors)
 {
+    QStringList units;
+    for (const int unit : sensors.units) {
+        units.append(QString::number(unit));
+    }
     return QCoreApplication::translate(
                "Modbus",
-               "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are "
-               "not served.")
-        .arg(numbers.size())
-        .arg(numbers.value(0));
+               "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are "
+               "not served there.")
+        .arg(sensors.numbers.size())
+        .arg(sensors.numbers.value(0))
+        .arg(units.join(QStringLiteral(", ")));
 }
 
 QString cannotAccept(const QString &reason)

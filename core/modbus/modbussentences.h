@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/modbus/clientdiary.h"
+#include "core/modbus/unitimages.h"
 
 #include <QAbstractSocket>
 #include <QString>
@@ -14,7 +15,7 @@ QString stopped();
 QString cannotListen(int port, QAbstractSocket::SocketError error, const QString &reason, std::chrono::seconds retry);
 QString badBindAddress(const QString &text);
 QString badAllowEntry(const QString &text);
-QString unreachableSensors(const QList<int> &numbers);
+QString unreachableSensors(const UnreachableSensors &sensors);
 QString cannotAccept(const QString &reason);
 QString acceptsAgain();
 QString came(const QHostAddress &address);
