@@ -60,19 +60,14 @@ QString badAllowEntry(const QString &text)
         .arg(text);
 }
 
-QString unreachableSensors(const UnreachableSensors &sensors)
+QString unreachableSensors(const QList<int> &numbers)
 {
-    QStringList units;
-    for (const int unit : sensors.units) {
-        units.append(QString::number(unit));
-    }
     return QCoreApplication::translate(
                "Modbus",
-               "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are "
-               "not served there.")
-        .arg(sensors.numbers.size())
-        .arg(sensors.numbers.value(0))
-        .arg(units.join(QStringLiteral(", ")));
+               "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are "
+               "not served.")
+        .arg(numbers.size())
+        .arg(numbers.value(0));
 }
 
 QString cannotAccept(const QString &reason)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/modbus/clientdiary.h"
-#include "core/modbus/unitimages.h"
 
 #include <QAbstractSocket>
 #include <QString>
@@ -15,7 +14,7 @@ QString stopped();
 QString cannotListen(int port, QAbstractSocket::SocketError error, const QString &reason, std::chrono::seconds retry);
 QString badBindAddress(const QString &text);
 QString badAllowEntry(const QString &text);
-QString unreachableSensors(const UnreachableSensors &sensors);
+QString unreachableSensors(const QList<int> &numbers);
 QString cannotAccept(const QString &reason);
 QString acceptsAgain();
 QString came(const QHostAddress &address);

@@ -80,7 +80,7 @@ bool ModbusServer::open()
         tell(JournalKind::Error, modbussentence::badAllowEntry(entry));
     }
     if (!m_images.unreachable().isEmpty()) {
-        tell(JournalKind::Error, modbussentence::unreachableSensors(m_images.unreachable()));
+        tell(JournalKind::Error, m_images.unreachable().sentence());
     }
     const auto port = static_cast<quint16>(connectionParameter(NetworkPortParameter).toInt());
     m_listener.start(bind.isEmpty() ? QHostAddress(QHostAddress::Any) : QHostAddress(bind), port);

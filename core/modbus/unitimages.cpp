@@ -4,9 +4,24 @@
 #include "core/modbus/extendedmap.h"
 #include "core/modbus/tiltmap.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace gorizont {
+
+QString UnreachableSensors::sentence() const
+{
+    QStringList names;
+    for (const int unit : units) {
+        names.append(QString::number(unit));
+    }
+    return QCoreApplication::translate(
+               "Modbus",
+               "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are "
+               "not served there.")
+        .arg(QString::number(numbers.size()), QString::number(numbers.value(0)), names.join(QStringLiteral(", ")));
+}
 
 UnitImages::UnitImages(const ModbusConfig &config)
 {

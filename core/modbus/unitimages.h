@@ -14,6 +14,7 @@ struct UnreachableSensors
     QList<int> units; ///< ascending
 
     bool isEmpty() const { return numbers.isEmpty(); }
+    QString sentence() const; ///< for the journal
 };
 
 /// The registers of every unit. One thread; the only place that knows which units there are.

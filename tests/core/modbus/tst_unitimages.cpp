@@ -149,6 +149,11 @@ private Q_SLOTS:
         const UnitImages images(config);
         QCOMPARE(images.unreachable().numbers, (QList<int>{13107, 16383, 2000000000}));
         QCOMPARE(images.unreachable().units, (QList<int>{1, 3, 6}));
+        const QString sentence = images.unreachable().sentence();
+        QVERIFY2(
+            sentence.contains(QStringLiteral("3 sensors")) && sentence.contains(QStringLiteral("N=13107")),
+            qPrintable(sentence));
+        QVERIFY2(sentence.contains(QStringLiteral("unit 1, 3, 6")), qPrintable(sentence));
         QCOMPARE(images.inputRegisters(1)->count(), 65500);
         QCOMPARE(images.inputRegisters(3)->count(), 65534);
         QCOMPARE(images.inputRegisters(6)->count(), 65532);
