@@ -25,7 +25,7 @@ QString UnreachableSensors::sentence() const
 
 UnitImages::UnitImages(const ModbusConfig &config)
 {
-    for (const UnitLayout *layout : {&extendedMap(), &tiltMap(), &accelerationMap()}) {
+    for (const UnitLayout *layout : {&tiltMap(), &accelerationMap(), &extendedMap()}) {
         const int limit = layout->limit(layout->base(config.base));
         const SensorSlots slotMap(config.lines, config.rules, layout->member, config.packing, limit);
         m_images.emplace_back(*layout, config.base, slotMap);
@@ -34,6 +34,7 @@ UnitImages::UnitImages(const ModbusConfig &config)
             m_unreachable.numbers.append(slotMap.unreachable());
         }
     }
+    std::sort(m_unreachable.units.begin(), m_unreachable.units.end());
     QList<int> &numbers = m_unreachable.numbers;
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());

@@ -25,6 +25,7 @@ public:
 
     explicit UnitImages(const ModbusConfig &config);
 
+    const std::vector<UnitImage> &units() const { return m_images; }
     /// nullptr: there is no such unit.
     const UnitImage *unit(int unit) const;
     /// The input registers of \a unit, with the clocks as they were at its last change; nullptr: there is no such unit.
