@@ -55,6 +55,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
+    /// The user wants to see the register map; who makes the window knows it.
+    void registerMapRequested();
 
 protected:
     void closeEvent(QCloseEvent *event) override;

@@ -7,6 +7,7 @@
 #include "translations/translation.h"
 #include "ui/firstrundialog.h"
 #include "ui/mainwindow.h"
+#include "ui/registermapdialog.h"
 #include "ui/trayicon.h"
 
 #include <QApplication>
@@ -101,6 +102,9 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
+    QObject::connect(&window, &MainWindow::registerMapRequested, &window, [&window, &site] {
+        (new RegisterMapDialog(registerDocument(site.reading.config), &window))->show();
+    });
     QObject::connect(&window, &MainWindow::exitRequested, QCoreApplication::instance(), &QCoreApplication::quit);
     QObject::connect(&signals_, &UnixSignals::terminated, QCoreApplication::instance(), &QCoreApplication::quit);
     application.start();

@@ -198,11 +198,11 @@ QString unitText(const UnitImage &unit, const ModbusConfig &config)
     for (const HeadField &field : layout.head) {
         head.add(fieldCells(unit, field, 0));
     }
-    text += head.text();
+    text += head.text() + registerExample(config, unit);
     for (const SlotPart &part : layout.parts) {
         text += slotTables(unit, part, config.lines);
     }
-    return text + registerExample(config, unit);
+    return text;
 }
 
 } // namespace

@@ -167,11 +167,11 @@ QString registerExample(const ModbusConfig &config, const UnitImage &unit)
     answerRequests(request, images, answer);
     const QByteArrayView bytes(answer.constData(), answer.size());
 
-    const QString title = Text::tr("Example: function 04, %1 registers from register %2, which belong to N=%3.")
+    const QString title = Text::tr("Example: function 04, %1 registers from register %2, of sensor N=%3")
                               .arg(question.quantity)
                               .arg(question.address)
                               .arg(question.state.reading.number);
-    return QStringLiteral("%1\n\n- %2: %3\n- %4: %5\n\n%6")
+    return QStringLiteral("### %1\n\n- %2: %3\n- %4: %5\n\n%6")
         .arg(
             title, Text::tr("Request"), hexOf(request), Text::tr("Answer"), hexOf(bytes), answerTable(question, bytes));
 }
