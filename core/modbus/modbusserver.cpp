@@ -57,15 +57,8 @@ bool ModbusServer::open()
 
 void ModbusServer::tellUnreachable()
 {
-    const QList<int> numbers = m_images.unreachable();
-    if (!numbers.isEmpty()) {
-        m_desk.tell(
-            JournalKind::Error,
-            QCoreApplication::translate(
-                "Modbus",
-                "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are not served.")
-                .arg(numbers.size())
-                .arg(numbers.constFirst()));
+    if (!m_images.unreachable().isEmpty()) {
+        m_desk.tell(JournalKind::Error, m_images.unreachable().sentence());
     }
 }
 

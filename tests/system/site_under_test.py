@@ -133,7 +133,7 @@ class ModbusError(Exception):
 
 
 class ModbusClient:
-    """Function 04 over TCP; keeps the bytes of all it sent and received for a protocol analyser."""
+    """Functions 03 and 04 over TCP; keeps the bytes of all it sent and received for a protocol analyser."""
 
     def __init__(self, port):
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=10)

@@ -251,7 +251,7 @@ private Q_SLOTS:
         QVERIFY(!server.data(QModbusDataUnit::InputRegisters, 12, &maximum));
         QVERIFY(!server.setData(QModbusDataUnit::InputRegisters, 2, 1));
         QVERIFY(!server.setMap({}));
-        server.setServerAddress(1);
+        server.setServerAddress(2);
         QVERIFY(!server.data(QModbusDataUnit::InputRegisters, 2, &maximum));
     }
 };
