@@ -147,80 +147,8 @@
 <context>
     <name>Modbus</name>
     <message>
-        <source>Another program uses this port. Stop that program or choose another IPPort1.</source>
-        <translation>Этот порт занят другой программой. Завершите её или выберите другой IPPort1.</translation>
-    </message>
-    <message>
-        <source>Ports below 1024 need a right. Choose another IPPort1, or give the right once: sudo setcap cap_net_bind_service=+ep %1</source>
-        <translation>Для портов ниже 1024 нужно право. Выберите другой IPPort1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %1</translation>
-    </message>
-    <message>
-        <source>This computer does not have the address given in ModbusBind.</source>
-        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Check IPPort1 and ModbusBind.</source>
-        <translation>Проверьте IPPort1 и ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: serving on port %1.</source>
-        <translation>Modbus TCP: сервер работает на порту %1.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: stopped.</source>
-        <translation>Modbus TCP: сервер остановлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: cannot serve on port %1 (%2). %3 Trying again every %4 s.</source>
-        <translation>Modbus TCP: порт %1 недоступен (%2). %3 Попытки повторяются каждые %4 с.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
-        <translation>Modbus TCP: «%1» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
-        <translation>Modbus TCP: «%1» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are not served.</source>
-        <translation>Modbus TCP: датчики (%1, первый из них N=%2) не умещаются до регистра 65536 и не передаются.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients cannot be accepted (%1). Those connected are served on. Trying again every second.</source>
-        <translation>Modbus TCP: новые клиенты не принимаются (%1). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients are accepted again.</source>
-        <translation>Modbus TCP: новые клиенты снова принимаются.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 connected.</source>
-        <translation>Клиент Modbus %1 подключился.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 has not been here since %2.</source>
-        <translation>Клиента Modbus %1 не было с %2.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was refused: ModbusAllow does not list it.</source>
-        <translation>Клиенту Modbus %1 отказано: его нет в ModbusAllow.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it does not speak Modbus TCP (wrong length of a request).</source>
-        <translation>Клиент Modbus %1 отключён: его запросы не по протоколу Modbus TCP (неверная длина).</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asks and does not read the answers.</source>
-        <translation>Клиент Modbus %1 отключён: он запрашивает, но не читает ответы.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asked nothing for longer than ModbusIdle.</source>
-        <translation>Клиент Modbus %1 отключён: не было запросов дольше ModbusIdle.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
-        <translation>Клиент Modbus %1 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
+        <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are not served there.</source>
+        <translation>Modbus TCP: датчикам (%1 шт., первый из них N=%2) не хватает места ниже регистра 65536 в устройстве %3, там они не передаются.</translation>
     </message>
 </context>
 <context>
@@ -312,6 +240,577 @@
     <message>
         <source>code of the system and its meaning; 0: no error so far</source>
         <translation>код системы и его смысл; 0 — ошибок не было</translation>
+    </message>
+</context>
+<context>
+    <name>RegisterMap</name>
+    <message>
+        <source>Channel word: two bits a port</source>
+        <translation>Слово состояния канала: два бита на порт</translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>мм/с²</translation>
+    </message>
+    <message>
+        <source>Largest acceleration, modulus</source>
+        <translation>Максимальное ускорение, модуль</translation>
+    </message>
+    <message>
+        <source>Direction of the largest acceleration</source>
+        <translation>Направление максимального ускорения</translation>
+    </message>
+    <message>
+        <source>RMS of the acceleration along X</source>
+        <translation>СКО ускорения по X</translation>
+    </message>
+    <message>
+        <source>RMS of the acceleration along Y</source>
+        <translation>СКО ускорения по Y</translation>
+    </message>
+    <message>
+        <source>Status word of the sensor</source>
+        <translation>Слово состояния датчика</translation>
+    </message>
+    <message>
+        <source>Accelerations</source>
+        <translation>Ускорения</translation>
+    </message>
+    <message>
+        <source>What is not valid keeps its last value, 0 if it never had one; the status word says so.</source>
+        <translation>Недостоверное значение остаётся последним известным, до первого измерения оно равно 0; об этом говорит слово состояния.</translation>
+    </message>
+    <message>
+        <source>the slot belongs to a sensor</source>
+        <translation>место занято датчиком</translation>
+    </message>
+    <message>
+        <source>the sensor is switched on</source>
+        <translation>датчик включён</translation>
+    </message>
+    <message>
+        <source>its port is switched on</source>
+        <translation>его порт включён</translation>
+    </message>
+    <message>
+        <source>it answers</source>
+        <translation>датчик отвечает</translation>
+    </message>
+    <message>
+        <source>tilt is valid</source>
+        <translation>углы наклона достоверны</translation>
+    </message>
+    <message>
+        <source>temperature is valid</source>
+        <translation>температура достоверна</translation>
+    </message>
+    <message>
+        <source>accelerations are valid</source>
+        <translation>ускорения достоверны</translation>
+    </message>
+    <message>
+        <source>raw_status holds a word</source>
+        <translation>raw_status содержит слово</translation>
+    </message>
+    <message>
+        <source>raw_mode holds a word</source>
+        <translation>raw_mode содержит слово</translation>
+    </message>
+    <message>
+        <source>packets of samples are counted</source>
+        <translation>пакеты отсчётов подсчитываются</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>углы наклона</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>ускорения</translation>
+    </message>
+    <message>
+        <source>thermostat</source>
+        <translation>термостат</translation>
+    </message>
+    <message>
+        <source>no type, never polled</source>
+        <translation>тип не указан, не опрашивается</translation>
+    </message>
+    <message>
+        <source>IN-D2, IN-D3, IN-D7, IN-D9</source>
+        <translation>ИН-Д2, ИН-Д3, ИН-Д7, ИН-Д9</translation>
+    </message>
+    <message>
+        <source>AN-D3</source>
+        <translation>АН-Д3</translation>
+    </message>
+    <message>
+        <source>USM-ISN</source>
+        <translation>УСМ-ИСН</translation>
+    </message>
+    <message>
+        <source>L-VIMS</source>
+        <translation>L-VIMS</translation>
+    </message>
+    <message>
+        <source>MK-14</source>
+        <translation>МК-14</translation>
+    </message>
+    <message>
+        <source>How many sensors have this status code</source>
+        <translation>Сколько датчиков с этим кодом состояния</translation>
+    </message>
+    <message>
+        <source>474F525Ah, the letters GORZ: this is the map</source>
+        <translation>474F525Ah, буквы GORZ: признак этой карты</translation>
+    </message>
+    <message>
+        <source>Version of the layout</source>
+        <translation>Версия карты</translation>
+    </message>
+    <message>
+        <source>How many slots there are</source>
+        <translation>Сколько всего мест</translation>
+    </message>
+    <message>
+        <source>Register where the directory starts</source>
+        <translation>Регистр, с которого начинается каталог</translation>
+    </message>
+    <message>
+        <source>Registers of an entry of the directory</source>
+        <translation>Регистров в записи каталога</translation>
+    </message>
+    <message>
+        <source>Register where the block of slot 0 starts</source>
+        <translation>Регистр, с которого начинается блок места 0</translation>
+    </message>
+    <message>
+        <source>Registers of a block</source>
+        <translation>Регистров в блоке</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>Time of the answer, UTC, since 1970</source>
+        <translation>Время ответа, UTC, от 1970 г.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Since the program started</source>
+        <translation>От запуска программы</translation>
+    </message>
+    <message>
+        <source>How many sensors there are</source>
+        <translation>Сколько всего датчиков</translation>
+    </message>
+    <message>
+        <source>How many of them answer</source>
+        <translation>Сколько из них отвечают</translation>
+    </message>
+    <message>
+        <source>How many of them are switched off</source>
+        <translation>Сколько из них выключено</translation>
+    </message>
+    <message>
+        <source>Site number N; 0: an empty slot</source>
+        <translation>Номер датчика N; 0 – место пустое</translation>
+    </message>
+    <message>
+        <source>Flags of the slot</source>
+        <translation>Флаги места</translation>
+    </message>
+    <message>
+        <source>Number of the port in the ini, 1…16</source>
+        <translation>Номер порта в ini, 1…16</translation>
+    </message>
+    <message>
+        <source>Address on the line</source>
+        <translation>Адрес на линии</translation>
+    </message>
+    <message>
+        <source>Type of the sensor</source>
+        <translation>Тип датчика</translation>
+    </message>
+    <message>
+        <source>What the sensor measures</source>
+        <translation>Что измеряет датчик</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s own status word</source>
+        <translation>Собственное слово состояния датчика</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s own mode word</source>
+        <translation>Собственное слово режима датчика</translation>
+    </message>
+    <message>
+        <source>Since the last answer; FFFFFFFFh: none so far</source>
+        <translation>От последнего ответа; FFFFFFFFh – ответа не было</translation>
+    </message>
+    <message>
+        <source>Time of the last answer, UTC, since 1970; 0: none so far</source>
+        <translation>Время последнего ответа, UTC, от 1970 г.; 0 – ответа не было</translation>
+    </message>
+    <message>
+        <source>Tilt along X</source>
+        <translation>Угол наклона по X</translation>
+    </message>
+    <message>
+        <source>Tilt along Y</source>
+        <translation>Угол наклона по Y</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Температура</translation>
+    </message>
+    <message>
+        <source>Power of the heater</source>
+        <translation>Мощность нагревателя</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/с</translation>
+    </message>
+    <message>
+        <source>Speed of the fan</source>
+        <translation>Частота вращения вентилятора</translation>
+    </message>
+    <message>
+        <source>Component of the largest acceleration along X</source>
+        <translation>Составляющая максимального ускорения по X</translation>
+    </message>
+    <message>
+        <source>Component of the largest acceleration along Y</source>
+        <translation>Составляющая максимального ускорения по Y</translation>
+    </message>
+    <message>
+        <source>RMS of the acceleration, modulus</source>
+        <translation>СКО ускорения, модуль</translation>
+    </message>
+    <message>
+        <source>Answers since the program started</source>
+        <translation>Ответов от запуска программы</translation>
+    </message>
+    <message>
+        <source>Failed reads since the program started</source>
+        <translation>Ошибок чтения от запуска программы</translation>
+    </message>
+    <message>
+        <source>Wrong check sums since the program started</source>
+        <translation>Ошибок CRC от запуска программы</translation>
+    </message>
+    <message>
+        <source>Packets of samples measured since the sensor started</source>
+        <translation>Пакетов отсчётов измерено от запуска датчика</translation>
+    </message>
+    <message>
+        <source>Packets of samples read since the program started</source>
+        <translation>Пакетов отсчётов прочитано от запуска программы</translation>
+    </message>
+    <message>
+        <source>Between the last two turns</source>
+        <translation>Период двух последних опросов</translation>
+    </message>
+    <message>
+        <source>How long the last turn took</source>
+        <translation>Длительность последнего опроса</translation>
+    </message>
+    <message>
+        <source>Directory</source>
+        <translation>Каталог</translation>
+    </message>
+    <message>
+        <source>Blocks of the sensors</source>
+        <translation>Блоки датчиков</translation>
+    </message>
+    <message>
+        <source>Extended map: every sensor of every type</source>
+        <translation>Расширенная карта: все датчики всех типов</translation>
+    </message>
+    <message>
+        <source>A number that is absent or not valid now is NaN (7FC00000h) where the type is float32, and 0 with a flag otherwise. Registers that are not listed are reserved and read 0. One request is answered from one moment: a value that it reads whole is never torn.</source>
+        <translation>Отсутствующее или недостоверное сейчас число типа float32 равно NaN (7FC00000h), у остальных типов – 0, о чём говорит флаг. Не перечисленные регистры зарезервированы и читаются как 0. Ответ на один запрос относится к одному моменту: прочитанное целиком значение не бывает составлено из двух разных.</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Бит</translation>
+    </message>
+    <message>
+        <source>If it is set</source>
+        <translation>Если установлен</translation>
+    </message>
+    <message>
+        <source>the sensor is switched off</source>
+        <translation>датчик выключен</translation>
+    </message>
+    <message>
+        <source>tilt is not valid or not ready</source>
+        <translation>углы наклона не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>temperature is not valid or not ready</source>
+        <translation>температура не достоверна или не готова</translation>
+    </message>
+    <message>
+        <source>accelerations are not valid or not ready</source>
+        <translation>ускорения не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>samples of accelerations were lost</source>
+        <translation>часть отсчётов ускорений потеряна (переполнение буфера обмена)</translation>
+    </message>
+    <message>
+        <source>packets of samples do not follow each other</source>
+        <translation>пакеты отсчётов идут не подряд (ошибка синхронизации)</translation>
+    </message>
+    <message>
+        <source>the sensor has restarted</source>
+        <translation>датчик перезапускался</translation>
+    </message>
+    <message>
+        <source>the thermostat has not settled</source>
+        <translation>терморегулирование не завершено</translation>
+    </message>
+    <message>
+        <source>the heater is at its minimum</source>
+        <translation>минимальная мощность нагрева</translation>
+    </message>
+    <message>
+        <source>the heater is at its maximum</source>
+        <translation>максимальная мощность нагрева</translation>
+    </message>
+    <message>
+        <source>Bits 15…12</source>
+        <translation>Биты 15…12</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Описание</translation>
+    </message>
+    <message>
+        <source>Two bits</source>
+        <translation>Два бита</translation>
+    </message>
+    <message>
+        <source>The port</source>
+        <translation>Порт</translation>
+    </message>
+    <message>
+        <source>has no errors, or there is none</source>
+        <translation>без ошибок или отсутствует</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>не открывается</translation>
+    </message>
+    <message>
+        <source>was lost, or takes no bytes</source>
+        <translation>пропал или не принимает данные</translation>
+    </message>
+    <message>
+        <source>is switched off</source>
+        <translation>выключен</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Код</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Датчики</translation>
+    </message>
+    <message>
+        <source>Words and codes</source>
+        <translation>Слова и коды</translation>
+    </message>
+    <message>
+        <source>Channel word: port i in bits 2(i−1) and 2(i−1)+1</source>
+        <translation>Слово состояния канала: порт i в битах 2(i−1) и 2(i−1)+1</translation>
+    </message>
+    <message>
+        <source>Unit 1: flags</source>
+        <translation>Устройство 1: flags (флаги)</translation>
+    </message>
+    <message>
+        <source>Unit 1: quantities</source>
+        <translation>Устройство 1: quantities (величины)</translation>
+    </message>
+    <message>
+        <source>Unit 1: type</source>
+        <translation>Устройство 1: type (тип)</translation>
+    </message>
+    <message>
+        <source>Modbus register map</source>
+        <translation>Карта регистров Modbus</translation>
+    </message>
+    <message>
+        <source>The server is switched off in this configuration (CanModbus=0).</source>
+        <translation>В этой конфигурации сервер выключен (CanModbus=0).</translation>
+    </message>
+    <message>
+        <source>Modbus TCP, port %1. Nothing can be written.</source>
+        <translation>Modbus TCP, порт %1. Только чтение.</translation>
+    </message>
+    <message>
+        <source>ModbusPacking=ByNumber: in every unit slot 0 is N=1, slot 1 is N=2 and so on. Slots without a sensor are not listed; they hold the status word 0F00h and nothing else.</source>
+        <translation>ModbusPacking=ByNumber: в каждом устройстве место 0 – N=1, место 1 – N=2 и так далее. Места без датчика не перечислены; в них только слово состояния 0F00h.</translation>
+    </message>
+    <message>
+        <source>ModbusPacking=ByType: the sensors of a unit follow each other in ascending N, switched-off ones included. Their places change only when sensors are added to the ini or taken out.</source>
+        <translation>ModbusPacking=ByType: датчики устройства идут подряд по возрастанию N, включая выключенные. Их места меняются, только если датчики добавлены в ini или убраны из него.</translation>
+    </message>
+    <message>
+        <source>A register is given as in the request, counted from 0, and as programs give it that count from 1 and put the kind of register in front: 30001 is register 0 read with function 04, 40001 the same with function 03. Behind 39999 there are five digits: 310000.</source>
+        <translation>Регистр указан так, как он стоит в запросе (счёт от 0), и так, как его указывают программы, которые считают от 1 и ставят впереди вид регистра: 30001 – регистр 0, читаемый функцией 04, 40001 – он же, функция 03. После 39999 цифр пять: 310000.</translation>
+    </message>
+    <message>
+        <source>A request reads any part of a unit, at most 125 registers. Exceptions: 0B no such unit, 01 function, 03 quantity, 02 registers that do not exist.</source>
+        <translation>Одним запросом читается любая часть устройства, не более 125 регистров. Исключения: 0B – нет такого устройства, 01 – функция, 03 – количество, 02 – таких регистров нет.</translation>
+    </message>
+    <message>
+        <source>Order of the bytes on the wire: A is the high byte of the value.</source>
+        <translation>Порядок байтов при передаче: A – старший байт значения.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Порт</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Адрес</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Включён</translation>
+    </message>
+    <message>
+        <source>From register, unit %1</source>
+        <translation>С регистра, устройство %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>да</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Регистр</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Регистров</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Поле</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Множитель</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед. изм.</translation>
+    </message>
+    <message>
+        <source>All numbers low byte first, in the registers too: where usual Modbus has 1234h, there is 3412h. Swap the bytes of every register, and the registers of the channel word.</source>
+        <translation>Все числа передаются младшим байтом вперёд, в том числе внутри регистров: там, где в обычном Modbus 1234h, здесь 3412h. Поменяйте местами байты каждого регистра, а у слова состояния канала ещё и регистры.</translation>
+    </message>
+    <message>
+        <source>All numbers high byte first, of several registers the high one first, as Modbus is usually read.</source>
+        <translation>Все числа передаются старшим байтом вперёд, из нескольких регистров первым идёт старший, как принято в Modbus.</translation>
+    </message>
+    <message>
+        <source>Unit %1. %2</source>
+        <translation>Устройство %1. %2</translation>
+    </message>
+    <message>
+        <source>Function %1; registers %2…%3.</source>
+        <translation>Функция %1; регистры %2…%3.</translation>
+    </message>
+    <message>
+        <source>03 or 04</source>
+        <translation>03 или 04</translation>
+    </message>
+    <message>
+        <source>Bytes of the answer</source>
+        <translation>Байты ответа</translation>
+    </message>
+    <message>
+        <source>What they are</source>
+        <translation>Что это</translation>
+    </message>
+    <message>
+        <source>transaction, as in the request</source>
+        <translation>транзакция, как в запросе</translation>
+    </message>
+    <message>
+        <source>protocol, as in the request</source>
+        <translation>протокол, как в запросе</translation>
+    </message>
+    <message>
+        <source>how many bytes follow</source>
+        <translation>сколько байтов следует</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>устройство</translation>
+    </message>
+    <message>
+        <source>function</source>
+        <translation>функция</translation>
+    </message>
+    <message>
+        <source>how many bytes of data follow</source>
+        <translation>сколько байтов данных следует</translation>
+    </message>
+    <message>
+        <source>Example: function 04, %1 registers from register %2, of sensor N=%3</source>
+        <translation>Пример: функция 04, количество регистров %1, начиная с регистра %2, датчик N=%3</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Запрос</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Ответ</translation>
+    </message>
+    <message>
+        <source>Angles of tilt</source>
+        <translation>Углы наклона</translation>
     </message>
 </context>
 <context>
@@ -634,6 +1133,22 @@
     <message>
         <source>Its beginning is used.</source>
         <translation>Взято его начало.</translation>
+    </message>
+    <message>
+        <source>%1 is the port of Modbus TCP already.</source>
+        <translation>%1 — уже порт Modbus TCP.</translation>
+    </message>
+    <message>
+        <source>ADC24 TCP is switched off.</source>
+        <translation>ADC24 TCP выключен.</translation>
+    </message>
+    <message>
+        <source>The first accelerometer is used.</source>
+        <translation>Используется первый акселерометр.</translation>
+    </message>
+    <message>
+        <source>The site has no accelerometer with number %1.</source>
+        <translation>На объекте нет акселерометра с номером %1.</translation>
     </message>
 </context>
 <context>
@@ -1824,6 +2339,89 @@
     </message>
 </context>
 <context>
+    <name>gorizont::DeskSentences</name>
+    <message>
+        <source>%1: serving on port %2.</source>
+        <translation>%1: сервер работает на порту %2.</translation>
+    </message>
+    <message>
+        <source>%1: stopped.</source>
+        <translation>%1: сервер остановлен.</translation>
+    </message>
+    <message>
+        <source>%1: cannot serve on port %2 (%3). %4 Trying again every %5 s.</source>
+        <translation>%1: порт %2 недоступен (%3). %4 Попытки повторяются каждые %5 с.</translation>
+    </message>
+    <message>
+        <source>Another program uses this port. Stop that program or choose another %1.</source>
+        <translation>Этот порт занят другой программой. Завершите её или выберите другой %1.</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need a right. Choose another %1, or give the right once: sudo setcap cap_net_bind_service=+ep %2</source>
+        <translation>Для портов ниже 1024 нужно право. Выберите другой %1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %2</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address given in ModbusBind.</source>
+        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
+    </message>
+    <message>
+        <source>Check %1 and ModbusBind.</source>
+        <translation>Проверьте %1 и ModbusBind.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
+        <translation>%1: «%2» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
+        <translation>%1: «%2» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
+    </message>
+    <message>
+        <source>%1: new clients cannot be accepted (%2). Those connected are served on. Trying again every second.</source>
+        <translation>%1: новые клиенты не принимаются (%2). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
+    </message>
+    <message>
+        <source>%1: new clients are accepted again.</source>
+        <translation>%1: новые клиенты снова принимаются.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 connected.</source>
+        <translation>%1: клиент %2 подключился.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 has not been here since %3.</source>
+        <translation>%1: клиента %2 не было с %3.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 (its port %3) was cut off by the operator.</source>
+        <translation>%1: клиент %2 (его порт %3) отключён оператором.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was refused: ModbusAllow does not list it.</source>
+        <translation>%1: клиенту %2 отказано: его нет в ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it does not speak %1 (wrong length of a request).</source>
+        <translation>%1: клиент %2 отключён: его запросы не по протоколу %1 (неверная длина).</translation>
+    </message>
+    <message>
+        <source>%1: client %2 sends what is no request (wrong length, address or command) and gets no answer.</source>
+        <translation>%1: клиент %2 присылает не запросы (неверная длина, адрес или команда), ответа на них нет.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asks and does not read the answers.</source>
+        <translation>%1: клиент %2 отключён: он запрашивает, но не читает ответы.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asked nothing for longer than ModbusIdle.</source>
+        <translation>%1: клиент %2 отключён: не было запросов дольше ModbusIdle.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
+        <translation>%1: клиент %2 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::FirstRunDialog</name>
     <message>
         <source>Gorizont Server: first start</source>
@@ -2243,6 +2841,10 @@
         <source>&amp;Service</source>
         <translation>С&amp;ервис</translation>
     </message>
+    <message>
+        <source>Modbus &amp;register map…</source>
+        <translation>Карта &amp;регистров Modbus…</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::MeasurementModel</name>
@@ -2391,6 +2993,10 @@
         <source>--demo brings its own configuration; leave --config away</source>
         <translation>--demo использует свои настройки; уберите --config</translation>
     </message>
+    <message>
+        <source>Prints the Modbus registers of the configuration as Markdown.</source>
+        <translation>Печатает регистры Modbus этой конфигурации в формате Markdown.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::PortGroup</name>
@@ -2502,6 +3108,37 @@
     <message>
         <source>in the configuration file: %1</source>
         <translation>в файле настроек: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::RegisterMapDialog</name>
+    <message>
+        <source>Modbus register map</source>
+        <translation>Карта регистров Modbus</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Копировать всё</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Save the register map</source>
+        <translation>Сохранение карты регистров</translation>
+    </message>
+    <message>
+        <source>Markdown (*.md)</source>
+        <translation>Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>The file cannot be saved.</source>
+        <translation>Не удалось сохранить файл.</translation>
     </message>
 </context>
 <context>
