@@ -23,6 +23,11 @@ ROOMS = {
     "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
+    "ui/service": [
+        "ui", "core/values", "core/config", "core/registry", "core/engine/lineworker.h", "core/devices/addressscan.h",
+        "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
+        "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h",
+    ],
     "ui": ["core/values", "core/config", "core/registry", "core/alarms", "core/engine/lineworker.h", "resources"],
     "app": ["core", "ui", "translations", "resources"],
     "tests": ["app", "core", "ui", "tests", "translations"],

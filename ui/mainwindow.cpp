@@ -131,6 +131,13 @@ void MainWindow::refresh()
     }
 }
 
+void MainWindow::retry()
+{
+    Q_EMIT retryRequested();
+    m_isDirty = true;
+    refresh();
+}
+
 void MainWindow::updateRefreshing()
 {
     const bool isSeen = isVisible() && !isMinimized();

@@ -4,6 +4,7 @@
 #include "core/registry/journal.h"
 #include "core/registry/sensorregistry.h"
 #include "ui/models/siteitem.h"
+#include "ui/service/servicedesk.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -45,6 +46,9 @@ public:
 
     void select(SiteItem item);
 
+    /// Service menus and windows for the ports that \a worker knows. Its workers outlive the window.
+    void offerService(const WorkerOfPort &worker, Journal &journal);
+
 public Q_SLOTS:
     /// One line of `_data`, for the tab <Измерения>.
     void appendMeasurement(const QString &line);
@@ -61,6 +65,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
+    /// F5: ports that are gone or parked sensors are to be tried at once.
+    void retryRequested();
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -71,12 +77,16 @@ protected:
 private:
     void buildPanels(Journal &journal);
     void buildMenus();
+    void buildViewMenu();
     void buildStatusBar();
+    int selectedLine() const; ///< index of the port that is selected or has the selected sensor; −1: none
     QAction *addGoAction(QMenu *menu, const QString &title, int digit, const std::function<void()> &go);
     void restoreLayout();
     void saveLayout() const;
 
     void refresh();
+    void retry();
+    void restoreColumns();
     void updateRefreshing();
     void showItem(SiteItem item);
     void goToPort();
@@ -107,6 +117,8 @@ private:
     bool m_isExitConfirmed = false;
     int m_lastLine = 0; ///< selected last, for Ctrl+3 and Ctrl+4
     int m_lastSensor = 0;
+
+    std::unique_ptr<ServiceDesk> m_service; ///< goes first, so that its ports are polled again
 };
 
 } // namespace gorizont

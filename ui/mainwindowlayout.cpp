@@ -4,6 +4,9 @@
 #include "ui/attentionbanner.h"
 #include "ui/infopanel.h"
 #include "ui/mainwindow.h"
+#include "ui/pages/columnlayout.h"
+#include "ui/pages/tablecolumns.h"
+#include "ui/pages/tableview.h"
 #include "ui/sitetree.h"
 #include "ui/statepanel.h"
 
@@ -21,7 +24,7 @@ namespace gorizont {
 
 namespace {
 
-/// Where the window was and how it was divided: nothing else is kept outside the ini.
+/// Where the window was, how it was divided, and the columns of its tables: nothing else is kept outside the ini.
 QSettings windowSettings()
 {
     const QString name = QStringLiteral("Gorizont Server");
@@ -74,6 +77,15 @@ void MainWindow::buildMenus()
     exit->setObjectName(QStringLiteral("exitAction"));
     exit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
 
+    buildViewMenu();
+
+    QMenu *help = menuBar()->addMenu(tr("&Help"));
+    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
+    about->setObjectName(QStringLiteral("aboutAction"));
+}
+
+void MainWindow::buildViewMenu()
+{
     QMenu *view = menuBar()->addMenu(tr("&View"));
     addGoAction(view, tr("&Ports"), 1, [this] {
         select(SiteItem::server());
@@ -94,10 +106,40 @@ void MainWindow::buildMenus()
     QAction *find = view->addAction(tr("&Find a sensor"), m_tree, &SiteTree::startSearch);
     find->setObjectName(QStringLiteral("findAction"));
     find->setShortcut(QKeySequence::Find);
+    QAction *refresh = view->addAction(tr("&Refresh"), this, &MainWindow::retry);
+    refresh->setObjectName(QStringLiteral("refreshAction"));
+    refresh->setShortcut(QKeySequence(Qt::Key_F5));
+    QAction *restore = view->addAction(tr("Restore &columns"), this, &MainWindow::restoreColumns);
+    restore->setObjectName(QStringLiteral("restoreAllColumnsAction"));
+}
 
-    QMenu *help = menuBar()->addMenu(tr("&Help"));
-    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
-    about->setObjectName(QStringLiteral("aboutAction"));
+int MainWindow::selectedLine() const
+{
+    const SiteItem item = m_tree->selected();
+    switch (item.kind) {
+    case SiteItem::Kind::Line: return item.index;
+    case SiteItem::Kind::Sensor: return m_registry.sensors()[static_cast<std::size_t>(item.index)].line;
+    case SiteItem::Kind::Server: break;
+    }
+    return -1;
+}
+
+void MainWindow::offerService(const WorkerOfPort &worker, Journal &journal)
+{
+    m_service = std::make_unique<ServiceDesk>(m_config, m_registry, journal, worker, this);
+    if (!m_service->isOffered()) {
+        return;
+    }
+    auto *menu = new QMenu(tr("&Service"), this);
+    menu->setObjectName(QStringLiteral("serviceMenu"));
+    menuBar()->insertMenu(menuBar()->actions().constLast(), menu);
+    m_service->fill(menu, selectedLine());
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { m_service->fill(menu, selectedLine()); });
+    connect(m_tree, &SiteTree::menuWanted, this, [this](SiteItem item, const QPoint &position) {
+        if (item.kind == SiteItem::Kind::Line) {
+            m_service->showMenu(item.index, position);
+        }
+    });
 }
 
 void MainWindow::buildStatusBar()
@@ -118,13 +160,22 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::restoreLayout()
 {
-    resize(QSize(1340, 800).boundedTo(screen()->availableSize()));
+    const QSize frame(20, 50); // of the window manager, which nobody knows before the window is shown
+    resize(QSize(1340, 800).boundedTo(screen()->availableSize() - frame));
     m_columns->setSizes({310, 1030});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     m_columns->restoreState(settings.value(QStringLiteral("window/columns")).toByteArray());
     m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
+    if (settings.value(QStringLiteral("window/showsSensors")).toBool()) {
+        m_state->showSensors();
+    }
+    m_info->setCurrentIndex(settings.value(QStringLiteral("window/infoTab")).toInt());
+    for (const TableView *table : findChildren<TableView *>()) {
+        const int columns = table->model()->columnCount();
+        table->columns().setLayout(readColumnLayout(settings, table->objectName(), columns));
+    }
 }
 
 void MainWindow::saveLayout() const
@@ -133,6 +184,19 @@ void MainWindow::saveLayout() const
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/columns"), m_columns->saveState());
     settings.setValue(QStringLiteral("window/rows"), m_rows->saveState());
+    settings.setValue(QStringLiteral("window/showsSensors"), m_state->isShowingSensors());
+    settings.setValue(QStringLiteral("window/infoTab"), m_info->currentIndex());
+    for (const TableView *table : findChildren<TableView *>()) {
+        const int columns = table->model()->columnCount();
+        writeColumnLayout(settings, table->objectName(), columns, table->columns().layout());
+    }
+}
+
+void MainWindow::restoreColumns()
+{
+    for (const TableView *table : findChildren<TableView *>()) {
+        table->columns().restore();
+    }
 }
 
 } // namespace gorizont

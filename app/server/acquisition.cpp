@@ -71,6 +71,13 @@ bool Acquisition::stop(std::chrono::milliseconds limit)
     return haveAllEnded;
 }
 
+void Acquisition::retry()
+{
+    for (const Entry &entry : m_entries) {
+        entry.worker->retry();
+    }
+}
+
 LineWorker *Acquisition::worker(int port) const
 {
     for (const Entry &entry : m_entries) {

@@ -40,6 +40,10 @@ public:
     SensorRegistry &registry() { return m_registry; }
     Journal &journal() { return m_journal; }
     AlarmWatch &alarms() { return m_alarms; }
+    /// The worker of section [Port\a port]; null when the port is off.
+    LineWorker *worker(int port) const { return m_acquisition.worker(port); }
+    /// Opens ports that wait and asks sensors that are parked, at once.
+    void retryLines() { m_acquisition.retry(); }
 
     void start();
 

@@ -98,7 +98,9 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     MainWindow window(
         application.registry(), application.journal(), application.alarms(), site.reading.config,
         site.reading.complaints);
+    window.offerService([&application](int port) { return application.worker(port); }, application.journal());
     const TrayIcon tray(window, application.registry(), application.alarms());
+    QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
