@@ -20,7 +20,9 @@ ROOMS = {
     "core/registry": ["core/values"],
     "core/alarms": ["core/values", "core/config", "core/registry"],
     "core/history": ["core/values", "core/config", "core/registry"],
-    "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol"],
+    "core/net": ["core/values"],
+    "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
+    "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
     "ui/service": [

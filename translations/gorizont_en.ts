@@ -2,12 +2,22 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>gorizont::AttentionBanner</name>
+    <name>AlarmText</name>
     <message numerus="yes">
         <source>%n sensor(s) need attention</source>
-        <translation>
+        <translation type="unfinished">
             <numerusform>%n sensor needs attention</numerusform>
             <numerusform>%n sensors need attention</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AlarmWatch</name>
+    <message numerus="yes">
+        <source>Accepted by the dispatcher: %n message(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

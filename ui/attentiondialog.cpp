@@ -4,6 +4,7 @@
 #include "core/alarms/alarmwatch.h"
 #include "core/values/statustext.h"
 #include "ui/models/attentionmodel.h"
+#include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
 #include <QAction>
@@ -64,8 +65,7 @@ void AttentionDialog::buildTable()
     m_sorted->setSortRole(AttentionModel::SortRole);
     m_sorted->setSortLocaleAware(true);
     m_view->setModel(m_sorted);
-    m_view->setSortingEnabled(true);
-    m_view->sortByColumn(AttentionModel::Began, Qt::DescendingOrder);
+    m_view->columns().setDefaultSort(AttentionModel::Began, Qt::DescendingOrder);
     m_view->setWordWrap(true);
     m_view->verticalHeader()->setDefaultSectionSize(linesPerRow * fontMetrics().lineSpacing() + 8);
     SensorConfig sensor;
@@ -74,11 +74,11 @@ void AttentionDialog::buildTable()
     sensor.address = 100;
     LineConfig line;
     line.com = 10;
-    m_view->setColumnSample(AttentionModel::Began, QStringLiteral("00:00:00 00.00.00"));
-    m_view->setColumnSample(AttentionModel::Subject, sensorTitle(sensor, line));
-    m_view->setColumnSample(AttentionModel::Place, QString(16, u'x'));
-    m_view->setColumnSample(AttentionModel::Meaning, QString(24, u'x'));
-    m_view->setElasticColumn(AttentionModel::Advice, QString(44, u'x'));
+    m_view->columns().setSample(AttentionModel::Began, QStringLiteral("00:00:00 00.00.00"));
+    m_view->columns().setSample(AttentionModel::Subject, sensorTitle(sensor, line));
+    m_view->columns().setSample(AttentionModel::Place, QString(16, u'x'));
+    m_view->columns().setSample(AttentionModel::Meaning, QString(24, u'x'));
+    m_view->columns().setElastic(AttentionModel::Advice, QString(44, u'x'));
 
     auto *accept = new QAction(tr("&Accept"), m_view);
     accept->setObjectName(QStringLiteral("acceptAction"));

@@ -67,6 +67,8 @@ Q_SIGNALS:
     void exitRequested();
     /// F5: ports that are gone or parked sensors are to be tried at once.
     void retryRequested();
+    /// The user wants to see the register map; who makes the window knows it.
+    void registerMapRequested();
 
 protected:
     void closeEvent(QCloseEvent *event) override;

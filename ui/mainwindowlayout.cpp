@@ -80,6 +80,8 @@ void MainWindow::buildMenus()
     buildViewMenu();
 
     QMenu *help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("Modbus &register map…"), this, &MainWindow::registerMapRequested)
+        ->setObjectName(QStringLiteral("registerMapAction"));
     QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
     about->setObjectName(QStringLiteral("aboutAction"));
 }

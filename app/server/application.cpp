@@ -1,6 +1,7 @@
 #include "app/server/application.h"
 
 #include "app/server/readingprinter.h"
+#include "core/adc24/adc24server.h"
 #include "core/history/historywriter.h"
 #include "core/modbus/modbusconfig.h"
 #include "core/modbus/modbusserver.h"
@@ -59,6 +60,7 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     if (settings.config.servesModbus) {
         makeModbus();
     }
+    makeAdc24();
     if (settings.printsReadings) {
         makePrinter();
     }
@@ -97,7 +99,7 @@ void Application::makeModbus()
     ModbusServer *modbus = m_modbus.get();
     connect(&m_registry, &SensorRegistry::readingsChanged, modbus, &ModbusServer::updateReadings, Qt::QueuedConnection);
     connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
-    connect(modbus, &ModbusServer::journal, &m_journal, &Journal::append);
+    connect(&modbus->desk(), &ClientDesk::journal, &m_journal, &Journal::append);
     connect(modbus, &ModbusServer::stateChanged, this, [this](QModbusDevice::State state) {
         Q_EMIT serverStatusChanged(modbusText(state));
     });
@@ -108,6 +110,23 @@ void Application::makeModbus()
     modbus->moveToThread(&m_serversThread);
     connect(&m_serversThread, &QThread::started, modbus, &ModbusServer::connectDevice);
     connect(&m_serversThread, &QThread::finished, modbus, &ModbusServer::disconnectDevice, Qt::DirectConnection);
+}
+
+void Application::makeAdc24()
+{
+    const auto config = adc24Config(m_settings.config);
+    if (!config) {
+        return;
+    }
+    m_adc24 = std::make_unique<Adc24Server>(*config);
+    Adc24Server *adc24 = m_adc24.get();
+    connect(&m_registry, &SensorRegistry::readingsChanged, adc24, &Adc24Server::updateReadings, Qt::QueuedConnection);
+    connect(&m_registry, &SensorRegistry::blockAdded, adc24, &Adc24Server::appendBlock, Qt::QueuedConnection);
+    connect(&adc24->desk(), &ClientDesk::journal, &m_journal, &Journal::append);
+    adc24->updateReadings(m_registry.readings());
+    adc24->moveToThread(&m_serversThread);
+    connect(&m_serversThread, &QThread::started, adc24, &Adc24Server::start);
+    connect(&m_serversThread, &QThread::finished, adc24, &Adc24Server::stop, Qt::DirectConnection);
 }
 
 void Application::makePrinter()

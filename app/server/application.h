@@ -12,6 +12,7 @@
 
 namespace gorizont {
 
+class Adc24Server;
 class HistoryWriter;
 class ModbusServer;
 class ReadingPrinter;
@@ -60,6 +61,7 @@ Q_SIGNALS:
 private:
     void makeHistory();
     void makeModbus();
+    void makeAdc24();
     void makePrinter();
     void tellComplaints();
     QString modbusText(QModbusDevice::State state) const;
@@ -74,6 +76,7 @@ private:
     QThread m_printerThread;
     std::unique_ptr<HistoryWriter> m_history;
     std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
+    std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer
     std::unique_ptr<ReadingPrinter> m_printer; ///< empty: without --print-readings
     bool m_isRunning = false;
 };

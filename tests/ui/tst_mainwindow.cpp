@@ -313,6 +313,13 @@ private Q_SLOTS:
         QTRY_VERIFY(!m_window->findChild<QMessageBox *>());
     }
 
+    void registerMapIsAskedFor()
+    {
+        const QSignalSpy asked(m_window.get(), &MainWindow::registerMapRequested);
+        trigger("registerMapAction");
+        QCOMPARE(asked.size(), 1);
+    }
+
     void complaintsAreShownOnce()
     {
         open({Complaint{
