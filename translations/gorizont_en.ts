@@ -5,7 +5,7 @@
     <name>AlarmText</name>
     <message numerus="yes">
         <source>%n sensor(s) need attention</source>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n sensor needs attention</numerusform>
             <numerusform>%n sensors need attention</numerusform>
         </translation>
@@ -15,9 +15,9 @@
     <name>gorizont::AlarmWatch</name>
     <message numerus="yes">
         <source>Accepted by the dispatcher: %n message(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Accepted by the dispatcher: %n message</numerusform>
+            <numerusform>Accepted by the dispatcher: %n messages</numerusform>
         </translation>
     </message>
 </context>

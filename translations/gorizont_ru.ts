@@ -28,67 +28,67 @@
     <name>AlarmText</name>
     <message>
         <source>The port cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Порт не открывается</translation>
     </message>
     <message>
         <source>The connection to the port is lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Связь с портом потеряна</translation>
     </message>
     <message>
         <source>Switch the port on in the configuration file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Включите порт в файле настроек.</translation>
     </message>
     <message>
         <source>Check that the adapter is plugged in and powered, and the number of the port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте, что адаптер подключён и включён, и верен ли номер порта.</translation>
     </message>
     <message>
         <source>Check the adapter, its cable and its power. The program opens the port again by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте адаптер, его кабель и питание. Программа откроет порт снова сама.</translation>
     </message>
     <message>
         <source>%1; sensors without data: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; датчиков без данных: %2</translation>
     </message>
     <message>
         <source>Check the power of the sensor, its cable and its address.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте питание датчика, кабель и адрес.</translation>
     </message>
     <message>
         <source>Check the terminating resistor and the cable for interference, and that no two sensors have the same address.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте согласующий резистор и помехи на кабеле, а также нет ли двух датчиков с одним адресом.</translation>
     </message>
     <message>
         <source>Check the supply voltage and the cable of the transducer, restart the sensor. If that does not help, it needs repair.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте напряжение питания и кабель преобразователя, перезапустите датчик. Если не помогло, нужен ремонт.</translation>
     </message>
     <message>
         <source>Restart the sensor. If that does not help, it needs repair.</source>
-        <translation type="unfinished"></translation>
+        <translation>Перезапустите датчик. Если не помогло, нужен ремонт.</translation>
     </message>
     <message>
         <source>Look at the structure and at how the sensor is fixed: it is inclined or moves beyond what it can measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Осмотрите конструкцию и крепление датчика: наклон или движение выходит за диапазон измерений.</translation>
     </message>
     <message>
         <source>The sensor goes on without a temperature. Plan its repair.</source>
-        <translation type="unfinished"></translation>
+        <translation>Датчик работает без температуры. Запланируйте ремонт.</translation>
     </message>
     <message>
         <source>Check the temperature at the sensor. If it is usual, the sensor needs repair.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте температуру у датчика. Если она обычная, датчику нужен ремонт.</translation>
     </message>
     <message>
         <source>Check the fan of the thermostat: dirt, ice, its cable. The readings may drift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте вентилятор термостата: грязь, лёд, провод. Показания могут уходить.</translation>
     </message>
     <message>
         <source>Check the heating and the cover of the sensor: it may be too cold there. The readings may drift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверьте подогрев и крышку датчика: возможно, ему слишком холодно. Показания могут уходить.</translation>
     </message>
     <message>
         <source>Look at the status word of the sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Посмотрите слово состояния датчика.</translation>
     </message>
     <message numerus="yes">
         <source>%n sensor(s) need attention</source>
@@ -100,7 +100,7 @@
     </message>
     <message>
         <source>and more: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>и ещё: %1</translation>
     </message>
 </context>
 <context>
@@ -1988,15 +1988,15 @@
     <name>gorizont::AlarmWatch</name>
     <message numerus="yes">
         <source>Accepted by the dispatcher: %n message(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Принято диспетчером: %n сообщение</numerusform>
+            <numerusform>Принято диспетчером: %n сообщения</numerusform>
+            <numerusform>Принято диспетчером: %n сообщений</numerusform>
         </translation>
     </message>
     <message>
         <source>Accepted by the dispatcher: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Принято диспетчером: %1</translation>
     </message>
 </context>
 <context>
@@ -2180,53 +2180,53 @@
     </message>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Принять</translation>
     </message>
     <message>
         <source>The messages are known: they leave the list, the sensors stay marked until they work again</source>
-        <translation type="unfinished"></translation>
+        <translation>Сообщения приняты к сведению: они уходят из списка, а датчики остаются отмеченными, пока не заработают</translation>
     </message>
     <message>
         <source>%1. The newest message: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Последнее сообщение: %2</translation>
     </message>
 </context>
 <context>
     <name>gorizont::AttentionDialog</name>
     <message>
         <source>Messages for the dispatcher</source>
-        <translation type="unfinished"></translation>
+        <translation>Сообщения для диспетчера</translation>
     </message>
     <message>
         <source>&amp;Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Принять</translation>
     </message>
     <message>
         <source>Accept a&amp;ll</source>
-        <translation type="unfinished"></translation>
+        <translation>Принять &amp;все</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Закрыть</translation>
     </message>
     <message>
         <source>There are no messages</source>
-        <translation type="unfinished"></translation>
+        <translation>Сообщений нет</translation>
     </message>
     <message>
         <source>accepted, not mended yet: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>принято, но ещё не устранено: %1</translation>
     </message>
 </context>
 <context>
     <name>gorizont::AttentionModel</name>
     <message>
         <source>Since</source>
-        <translation type="unfinished"></translation>
+        <translation>Возникло</translation>
     </message>
     <message>
         <source>Sensor or port</source>
-        <translation type="unfinished"></translation>
+        <translation>Датчик или порт</translation>
     </message>
     <message>
         <source>Place</source>
@@ -2234,11 +2234,11 @@
     </message>
     <message>
         <source>What has happened</source>
-        <translation type="unfinished"></translation>
+        <translation>Что произошло</translation>
     </message>
     <message>
         <source>What to do</source>
-        <translation type="unfinished"></translation>
+        <translation>Что делать</translation>
     </message>
 </context>
 <context>
@@ -2827,7 +2827,7 @@
     </message>
     <message>
         <source>Messages for the &amp;dispatcher</source>
-        <translation type="unfinished"></translation>
+        <translation>Сооб&amp;щения для диспетчера</translation>
     </message>
     <message>
         <source>&amp;Refresh</source>
@@ -3610,7 +3610,7 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
     <message>
         <source>Messages for the dispatcher: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Сообщений для диспетчера: %1</translation>
     </message>
 </context>
 <context>

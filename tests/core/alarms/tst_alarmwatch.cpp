@@ -1,8 +1,8 @@
 #include "core/alarms/alarmwatch.h"
 #include "core/engine/lineworker.h"
-#include "core/simulation/simulatedline.h"
 
 #include "tests/core/alarms/alarmsite.h"
+#include "tests/support/pluggedline.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -22,31 +22,6 @@ LineStatus state(int port, LineState state)
     return status;
 }
 
-/// A simulated line that can be pulled out from the test.
-class PluggedLine : public SimulatedLine
-{
-public:
-    PluggedLine(const LineConfig &config, const SimulatedBus::Options &options, std::atomic_bool &isPlugged)
-        : SimulatedLine(config, options, std::chrono::steady_clock::now(), 100ms)
-        , m_isPlugged(isPlugged)
-    {
-    }
-
-    Result<void> open() override { return m_isPlugged ? SimulatedLine::open() : Result<void>(Fault::Closed); }
-
-protected:
-    Result<void> writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout) override
-    {
-        if (!m_isPlugged) {
-            close();
-        }
-        return SimulatedLine::writeAll(bytes, timeout);
-    }
-
-private:
-    std::atomic_bool &m_isPlugged;
-};
-
 /// A real worker in its thread, the registry it feeds and the watch over it: the signals in their real order.
 class Site
 {
@@ -57,7 +32,7 @@ public:
         , worker(settings(), [this, faults] {
             SimulatedBus::Options options;
             options.faults = faults;
-            return std::make_unique<PluggedLine>(settings().line, options, isPlugged);
+            return std::make_unique<test::PluggedLine>(settings().line, options, isPlugged);
         })
     {
         worker.moveToThread(&thread);
@@ -88,11 +63,6 @@ public:
         return settings;
     }
 
-    void setService(bool isInService)
-    {
-        QMetaObject::invokeMethod(
-            &worker, [this, isInService] { worker.setService(isInService); }, Qt::QueuedConnection);
-    }
     LineState lineState() const { return registry.lines().front().status.state; }
 
     std::atomic_bool isPlugged{true};
@@ -220,10 +190,10 @@ private Q_SLOTS:
         QCOMPARE(raised.first().first().value<Alarm>().number, 2);
         QCOMPARE(raised.first().first().value<Alarm>().code, StatusCode::NoAnswer);
 
-        site.setService(true);
+        site.worker.enterService();
         QTRY_COMPARE(site.lineState(), LineState::Service);
         QCOMPARE(site.watch.unacknowledged().size(), 1);
-        site.setService(false);
+        site.worker.leaveService();
         QTRY_COMPARE(site.lineState(), LineState::Open);
         QTRY_COMPARE(statusCode(site.registry.sensors()[1].reading.status), StatusCode::NoAnswer);
         QCOMPARE(site.watch.unacknowledged().size(), 1);
