@@ -1,3 +1,4 @@
+#include "core/alarms/alarmwatch.h"
 #include "ui/mainwindow.h"
 
 #include "tests/ui/samplesite.h"
@@ -50,7 +51,8 @@ private Q_SLOTS:
         const SteadyTime now = std::chrono::steady_clock::now();
         registry.updateLine(test::openLine(1, now));
         registry.update({test::sampleReading(now)});
-        MainWindow window(registry, journal, config, {});
+        AlarmWatch alarms(registry);
+        MainWindow window(registry, journal, alarms, config, {});
         window.setServerStatus(QStringLiteral("Modbus TCP: 502"));
         window.resize(size);
         window.show();

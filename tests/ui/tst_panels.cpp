@@ -1,3 +1,4 @@
+#include "core/alarms/alarmwatch.h"
 #include "ui/mainwindow.h"
 
 #include "tests/ui/contrast.h"
@@ -275,9 +276,11 @@ private:
     void open()
     {
         m_window.reset();
+        m_alarms.reset();
         m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
         m_journal = std::make_unique<Journal>();
-        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, m_config, QList<Complaint>());
+        m_alarms = std::make_unique<AlarmWatch>(*m_registry);
+        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, *m_alarms, m_config, QList<Complaint>());
         m_window->resize(1200, 760);
         m_window->show();
         m_window->activateWindow();
@@ -319,6 +322,7 @@ private:
     QTemporaryDir m_settings;
     ServerConfig m_config;
     std::unique_ptr<SensorRegistry> m_registry;
+    std::unique_ptr<AlarmWatch> m_alarms;
     std::unique_ptr<Journal> m_journal;
     std::unique_ptr<MainWindow> m_window;
 };

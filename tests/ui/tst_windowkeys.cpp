@@ -1,3 +1,4 @@
+#include "core/alarms/alarmwatch.h"
 #include "core/config/inifile.h"
 #include "ui/mainwindow.h"
 
@@ -98,9 +99,11 @@ private:
     {
         const ServerConfig config = readServerConfig(IniFile::fromBytes(ini)).config;
         m_window.reset();
+        m_alarms.reset();
         m_registry = std::make_unique<SensorRegistry>(config.lines, StatusRules());
         m_journal = std::make_unique<Journal>();
-        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, config, QList<Complaint>());
+        m_alarms = std::make_unique<AlarmWatch>(*m_registry);
+        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, *m_alarms, config, QList<Complaint>());
     }
 
     QString shownAfter(int count)
@@ -118,6 +121,7 @@ private:
 
     QTemporaryDir m_settings;
     std::unique_ptr<SensorRegistry> m_registry;
+    std::unique_ptr<AlarmWatch> m_alarms;
     std::unique_ptr<Journal> m_journal;
     std::unique_ptr<MainWindow> m_window;
 };
