@@ -96,7 +96,7 @@ class StartAndEnd(unittest.TestCase):
                 begin = time.monotonic()
                 server = site.start("--lang", "en")
                 server.wait_until(lambda: any("COM" in line for line in server.errors), what="attempt to open")
-                self.assertGreaterEqual(time.monotonic() - begin, pause / 1000)
+                self.assertGreaterEqual(time.monotonic() - begin, 0.9 * pause / 1000)  # the timer may be 5 % early
                 self.assertEqual(server.stop(), 0)
 
     def test_an_orderly_end_does_not_wait_for_p_exit(self):
