@@ -792,6 +792,152 @@
     </message>
 </context>
 <context>
+    <name>gorizont::And3Dialog</name>
+    <message>
+        <source>Nothing was written that needs a reset. Restart sensor %1? Its memory of samples is lost.</source>
+        <translation>Сброс не требуется: ничего не записано. Перезапустить датчик %1? Накопленные в нём измерения будут потеряны.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart</source>
+        <translation>&amp;Перезапустить</translation>
+    </message>
+    <message>
+        <source>Sensor %1 restarts with its new address %2; nobody has seen it there yet. Leave all the same?</source>
+        <translation>Датчик %1 перезапускается с новым адресом %2, но ещё не проверено, что он отвечает. Всё равно выйти?</translation>
+    </message>
+    <message>
+        <source>The new address %2 of sensor %1 is stored, but it holds only after a system reset. Leave without it?</source>
+        <translation>Новый адрес %2 датчика %1 записан, но вступит в силу только после сброса системы. Выйти без сброса?</translation>
+    </message>
+    <message>
+        <source>Reading sensor %1…</source>
+        <translation>Чтение параметров датчика %1…</translation>
+    </message>
+    <message>
+        <source>Sensor %1 cannot be read: %2.</source>
+        <translation>Параметры датчика %1 не прочитаны: %2.</translation>
+    </message>
+    <message>
+        <source>new address %1</source>
+        <translation>новый адрес %1</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>new address %1 stored, it holds after a system reset</source>
+        <translation>новый адрес %1 записан, вступит в силу после сброса системы</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2</source>
+        <translation>Датчик %1: %2</translation>
+    </message>
+    <message>
+        <source>The new address %1 is stored in the sensor. Press &lt;System reset&gt; so that the sensor takes it.</source>
+        <translation>Новый адрес %1 записан в датчик. Чтобы он вступил в силу, нажмите &lt;Сброс системы&gt;.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>ОК</translation>
+    </message>
+    <message>
+        <source>system reset</source>
+        <translation>сброс системы</translation>
+    </message>
+    <message>
+        <source>The sensor restarts…</source>
+        <translation>Датчик перезапускается…</translation>
+    </message>
+    <message>
+        <source>system reset sent</source>
+        <translation>команда сброса системы отправлена</translation>
+    </message>
+    <message>
+        <source>system reset not sent: %1</source>
+        <translation>команда сброса системы не отправлена: %1</translation>
+    </message>
+    <message>
+        <source>the sensor answers at its new address %1</source>
+        <translation>датчик отвечает по новому адресу %1</translation>
+    </message>
+    <message>
+        <source>the sensor still answers at its old address after the reset. Write the new one again.</source>
+        <translation>после сброса датчик отвечает по прежнему адресу. Запишите новый адрес ещё раз.</translation>
+    </message>
+    <message>
+        <source>the sensor answers neither at %1 nor at %2 after the reset. Scan again; check its power.</source>
+        <translation>после сброса датчик не отвечает ни по адресу %1, ни по адресу %2. Повторите сканирование, проверьте питание.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::And3Form</name>
+    <message>
+        <source>Exchange</source>
+        <translation>Параметры обмена</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Изменить</translation>
+    </message>
+    <message>
+        <source>The address of %1 is changed in the group &lt;System&gt;.</source>
+        <translation>Адрес %1 изменяется в группе &lt;Система&gt;.</translation>
+    </message>
+    <message>
+        <source>&amp;Address on the line:</source>
+        <translation>&amp;Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Данные</translation>
+    </message>
+    <message>
+        <source>Temperature, °C:</source>
+        <translation>Температура, °C:</translation>
+    </message>
+    <message>
+        <source>Tilt X, Y, ″:</source>
+        <translation>Наклон X, Y, ″:</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>Система</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>За&amp;пись</translation>
+    </message>
+    <message>
+        <source>System &amp;reset</source>
+        <translation>Сброс с&amp;истемы</translation>
+    </message>
+    <message>
+        <source>Restarts the controller of the sensor, about five seconds. Its memory of samples is lost.</source>
+        <translation>Перезапускает контроллер датчика, около пяти секунд. Накопленные в датчике измерения теряются.</translation>
+    </message>
+    <message>
+        <source>Set a &amp;new address:</source>
+        <translation>За&amp;дать новый адр.:</translation>
+    </message>
+    <message>
+        <source>Current address:</source>
+        <translation>Текущий адрес:</translation>
+    </message>
+    <message>
+        <source>Firmware:</source>
+        <translation>Версия ПО:</translation>
+    </message>
+    <message>
+        <source>Addresses where nobody answered</source>
+        <translation>Адреса, по которым никто не ответил</translation>
+    </message>
+    <message>
+        <source>The address can be changed only after a complete scan that was not stopped.</source>
+        <translation>Изменить адрес можно только после полного сканирования, без остановки.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Application</name>
     <message>
         <source>Gorizont Server %1 started</source>
@@ -831,6 +977,73 @@
             <numerusform>%n датчика требуют внимания</numerusform>
             <numerusform>%n датчиков требуют внимания</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ChangeText</name>
+    <message>
+        <source>the new address %1 is taken; nothing was stored. Scan again.</source>
+        <translation>новый адрес %1 занят; ничего не записано. Повторите сканирование.</translation>
+    </message>
+    <message>
+        <source>asking the sensor before the change failed (%1); nothing was stored</source>
+        <translation>проверка датчика перед изменением не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>copying the configuration failed (%1); nothing was stored</source>
+        <translation>копирование конфигурации не удалось (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>checking the copied configuration failed (%1); nothing was stored</source>
+        <translation>проверка копии конфигурации не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>setting the new address %2 failed (%1); nothing was stored</source>
+        <translation>установка нового адреса %2 не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>checking the new address %2 failed (%1); nothing was stored</source>
+        <translation>проверка нового адреса %2 не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>name “%1”</source>
+        <translation>имя «%1»</translation>
+    </message>
+    <message>
+        <source>zero offset X %1″, Y %2″</source>
+        <translation>смещение нуля X %1″, Y %2″</translation>
+    </message>
+    <message>
+        <source>averaging ticks %1</source>
+        <translation>тактов усреднения %1</translation>
+    </message>
+    <message>
+        <source>averaging period %1 ms</source>
+        <translation>период усреднения %1 мс</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>записано</translation>
+    </message>
+    <message>
+        <source>not written, the sensor does not take it</source>
+        <translation>не записано, датчик не принимает значение</translation>
+    </message>
+    <message>
+        <source>not written, the sensor still has another value</source>
+        <translation>не записано, в датчике осталось другое значение</translation>
+    </message>
+    <message>
+        <source>%1: whether it was written is not known, check it</source>
+        <translation>%1: записано или нет, неизвестно, проверьте</translation>
+    </message>
+    <message>
+        <source>storing the new address %2 failed (%1); whether it was stored is not known. Write again before a reset.</source>
+        <translation>запись нового адреса %2 не удалась (%1); записан ли он, неизвестно. Повторите запись до сброса.</translation>
+    </message>
+    <message>
+        <source>the new address %2 was stored, but checking the stored configuration failed (%1). Write again before a reset.</source>
+        <translation>новый адрес %2 записан, но проверка записанной конфигурации не удалась (%1). Повторите запись до сброса.</translation>
     </message>
 </context>
 <context>
@@ -938,6 +1151,172 @@
     <message>
         <source>The disk was busy for too long: %1 samples and %2 events were not saved.</source>
         <translation>Диск был занят слишком долго: не сохранено отсчётов: %1, событий: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Ind3Dialog</name>
+    <message>
+        <source>C&amp;hange</source>
+        <translation>&amp;Изменить</translation>
+    </message>
+    <message>
+        <source>Apply the ne&amp;w settings</source>
+        <translation>Применить &amp;новые настройки</translation>
+    </message>
+    <message>
+        <source>Only sensors that speak this protocol are found. Another choice begins a new scan.</source>
+        <translation>Обнаруживаются только датчики с этим протоколом. При выборе другого начинается новое сканирование.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Н&amp;е применять</translation>
+    </message>
+    <message>
+        <source>Gives the sensor another address</source>
+        <translation>Задать датчику другой адрес</translation>
+    </message>
+    <message>
+        <source>The address can be changed only after a complete scan that was not stopped.</source>
+        <translation>Изменить адрес можно только после полного сканирования, без остановки.</translation>
+    </message>
+    <message>
+        <source>The new settings of sensor %1 were not applied. Discard them?</source>
+        <translation>Новые настройки датчика %1 не применены. Продолжить без них?</translation>
+    </message>
+    <message>
+        <source>Reading sensor %1…</source>
+        <translation>Чтение параметров датчика %1…</translation>
+    </message>
+    <message>
+        <source>Sensor %1 cannot be read: %2.</source>
+        <translation>Параметры датчика %1 не прочитаны: %2.</translation>
+    </message>
+    <message>
+        <source>The sensor reports that a check sum of its memory is wrong: it needs repair.</source>
+        <translation>Датчик сообщает об ошибке контрольной суммы своей памяти: требуется ремонт.</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>%1, not written</source>
+        <translation>%1, не записано</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2.</source>
+        <translation>Датчик %1: %2.</translation>
+    </message>
+    <message>
+        <source>new address %1</source>
+        <translation>новый адрес %1</translation>
+    </message>
+    <message>
+        <source>%1, written</source>
+        <translation>%1, записано</translation>
+    </message>
+    <message>
+        <source>%1, not written: it is taken, or the sensor will not. Scan again.</source>
+        <translation>%1, не записано: адрес занят, или датчик его не принимает. Повторите сканирование.</translation>
+    </message>
+    <message>
+        <source>%1, not written: the sensor still answers at %2</source>
+        <translation>%1, не записано: датчик отвечает по прежнему адресу %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: whether it was written is not known. Scan the line to find the sensor.</source>
+        <translation>%1, %2: записано или нет, неизвестно. Найдите датчик сканированием.</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2</source>
+        <translation>Датчик %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Ind3Form</name>
+    <message>
+        <source>Exchange</source>
+        <translation>Параметры обмена</translation>
+    </message>
+    <message>
+        <source>Up to %1 characters: Latin, Cyrillic, digits and signs. The sensor keeps the name.</source>
+        <translation>До %1 символов: латиница, кириллица, цифры и специальные символы. Имя хранится в датчике.</translation>
+    </message>
+    <message>
+        <source>The speed is shown only; this program does not change it.</source>
+        <translation>Скорость обмена только отображается, её изменение не допускается.</translation>
+    </message>
+    <message>
+        <source>&amp;Address on the line:</source>
+        <translation>&amp;Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the sensor:</source>
+        <translation>И&amp;мя измерителя:</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Скорость обмена:</translation>
+    </message>
+    <message>
+        <source>&amp;Protocol:</source>
+        <translation>&amp;Протокол обмена:</translation>
+    </message>
+    <message>
+        <source>About the device</source>
+        <translation>Об устройстве</translation>
+    </message>
+    <message>
+        <source>Version of the sensor:</source>
+        <translation>Версия измерителя:</translation>
+    </message>
+    <message>
+        <source>Software revision:</source>
+        <translation>Номер редакции ПО:</translation>
+    </message>
+    <message>
+        <source>Factory number:</source>
+        <translation>Заводской номер:</translation>
+    </message>
+    <message>
+        <source>Arc-seconds, from −%1 to +%1. Point and comma are both decimal marks.</source>
+        <translation>Угловые секунды, от −%1 до +%1. Дробная часть отделяется точкой или запятой.</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Параметры измерения</translation>
+    </message>
+    <message>
+        <source>Zero offset &amp;X, ″:</source>
+        <translation>Смещение нуля &amp;X, ″:</translation>
+    </message>
+    <message>
+        <source>Averaging &amp;ticks:</source>
+        <translation>&amp;Тактов усреднения:</translation>
+    </message>
+    <message>
+        <source>Zero offset &amp;Y, ″:</source>
+        <translation>Смещение нуля &amp;Y, ″:</translation>
+    </message>
+    <message>
+        <source>Averaging p&amp;eriod, ms:</source>
+        <translation>П&amp;ериод усреднения, мс:</translation>
+    </message>
+    <message>
+        <source>Tilt X, Y now, ″:</source>
+        <translation>Наклон X, Y сейчас, ″:</translation>
+    </message>
+    <message>
+        <source>Type %1, revision %2</source>
+        <translation>Тип %1, редакция %2</translation>
+    </message>
+    <message>
+        <source>The name needs 1…%1 characters: Latin, Cyrillic, digits and signs.</source>
+        <translation>Имя: 1…%1 символов, латиница, кириллица, цифры, специальные символы.</translation>
+    </message>
+    <message>
+        <source>An offset is a number from −%1 to +%1.</source>
+        <translation>Смещение нуля: число от −%1 до +%1.</translation>
     </message>
 </context>
 <context>
@@ -1089,6 +1468,10 @@
         <source>&amp;About</source>
         <translation>&amp;О программе</translation>
     </message>
+    <message>
+        <source>&amp;Service</source>
+        <translation>С&amp;ервис</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::MeasurementModel</name>
@@ -1119,6 +1502,33 @@
     <message>
         <source>%1: status</source>
         <translation>%1: статус</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::NewAddressDialog</name>
+    <message>
+        <source>New address</source>
+        <translation>Новый адрес</translation>
+    </message>
+    <message>
+        <source>Addresses where a sensor was found are not offered.</source>
+        <translation>Адреса обнаруженных датчиков не предлагаются.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Применить</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
+    </message>
+    <message>
+        <source>Address on the line:</source>
+        <translation>Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>&amp;New address:</source>
+        <translation>&amp;Новый адрес:</translation>
     </message>
 </context>
 <context>
@@ -1177,6 +1587,41 @@
     </message>
 </context>
 <context>
+    <name>gorizont::PortGroup</name>
+    <message>
+        <source>COM port</source>
+        <translation>COM-порт</translation>
+    </message>
+    <message>
+        <source>Number:</source>
+        <translation>Номер:</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Скорость обмена:</translation>
+    </message>
+    <message>
+        <source>The configuration file decides about the port.</source>
+        <translation>Параметры порта определяет файл конфигурации.</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Открыть</translation>
+    </message>
+    <message>
+        <source>Ends service: the sensors of the port are polled again. The window stays.</source>
+        <translation>Завершает сервисный режим: опрос датчиков порта продолжается. Окно остаётся открытым.</translation>
+    </message>
+    <message>
+        <source>Takes the port into service again and scans it.</source>
+        <translation>Снова переводит порт в сервисный режим и сканирует линию.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::PortModel</name>
     <message>
         <source>How long the port has been open, h:mm:ss</source>
@@ -1232,6 +1677,41 @@
     <message>
         <source>Note</source>
         <translation>Пояснение</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ScanPanel</name>
+    <message>
+        <source>Sensors found on the line:</source>
+        <translation>Всего обнаружено датчиков на линии:</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>О&amp;становить</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>&amp;Сканировать</translation>
+    </message>
+    <message>
+        <source>Address %1 of %2 is asked.</source>
+        <translation>Опрашивается адрес %1 из %2.</translation>
+    </message>
+    <message>
+        <source>Found: %1.</source>
+        <translation>Обнаружены: %1.</translation>
+    </message>
+    <message>
+        <source>Unclear: %1. Somebody answers there, but the answers are damaged: two sensors with one address look like that. Disconnect one of them and scan again.</source>
+        <translation>Неясно: %1. Оттуда приходят повреждённые ответы: так выглядят два датчика с одним адресом. Отключите один из них и повторите сканирование.</translation>
+    </message>
+    <message>
+        <source>Nobody answers. Check power, cable and speed.</source>
+        <translation>Никто не отвечает. Проверьте питание, кабель и скорость обмена.</translation>
+    </message>
+    <message>
+        <source>The scan is not complete: a sensor cannot get a new address before all %1 addresses were asked.</source>
+        <translation>Сканирование неполное: изменить адрес датчика можно, когда опрошены все %1 адресов.</translation>
     </message>
 </context>
 <context>
@@ -1310,6 +1790,150 @@
     <message>
         <source>there is no such device</source>
         <translation>нет такого устройства</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceDesk</name>
+    <message>
+        <source>Select a port in the tree first.</source>
+        <translation>Сначала выберите порт в дереве.</translation>
+    </message>
+    <message>
+        <source>The port is off (On=0).</source>
+        <translation>Порт выключен (On=0).</translation>
+    </message>
+    <message>
+        <source>The port is in service already.</source>
+        <translation>Порт уже в сервисном режиме.</translation>
+    </message>
+    <message>
+        <source>The port is not open.</source>
+        <translation>Порт не открыт.</translation>
+    </message>
+    <message>
+        <source>There is no %1 in the list of this port.</source>
+        <translation>В списке датчиков этого порта нет %1.</translation>
+    </message>
+    <message>
+        <source>%1 goes into service mode: the monitoring of all its sensors is suspended.</source>
+        <translation>%1 переводится в сервисный режим: мониторинг всех его датчиков приостанавливается.</translation>
+    </message>
+    <message>
+        <source>Until the service window is closed, screens, files and clients keep the last values, marked as not valid. The other ports go on.</source>
+        <translation>Пока окно настройки открыто, на экране, в файлах и у клиентов остаются последние значения с признаком недостоверности. Остальные порты работают.</translation>
+    </message>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;ОК</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceDialog</name>
+    <message>
+        <source>%1, the program ended before the answer came: whether it was written is not known, check it</source>
+        <translation>%1, программа завершилась до ответа датчика: записано или нет, неизвестно, проверьте</translation>
+    </message>
+    <message>
+        <source>The port goes into service mode…</source>
+        <translation>Порт переводится в сервисный режим…</translation>
+    </message>
+    <message>
+        <source>The window closes as soon as the sensor has answered.</source>
+        <translation>Окно закроется, как только датчик ответит.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave</source>
+        <translation>В&amp;ыйти</translation>
+    </message>
+    <message>
+        <source>Service has ended, the sensors of the port are polled again.</source>
+        <translation>Сервисный режим завершён, опрос датчиков порта продолжается.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Н&amp;е применять</translation>
+    </message>
+    <message>
+        <source>%1, %2 address %3: %4</source>
+        <translation>%1, %2 адрес %3: %4</translation>
+    </message>
+    <message>
+        <source>Ex&amp;it</source>
+        <translation>&amp;Выход</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>Верн&amp;уться</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceSession</name>
+    <message>
+        <source>The port is in service already.</source>
+        <translation>Порт уже в сервисном режиме.</translation>
+    </message>
+    <message>
+        <source>The program is about to end.</source>
+        <translation>Программа завершает работу.</translation>
+    </message>
+    <message>
+        <source>The port is not open. Check the adapter and its cable.</source>
+        <translation>Порт не открыт. Проверьте адаптер и кабель.</translation>
+    </message>
+    <message>
+        <source>%1 is gone (%2). Service has ended; polling goes on as soon as the port is back.</source>
+        <translation>%1 пропал (%2). Сервисный режим завершён; опрос продолжится, когда порт появится.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceText</name>
+    <message>
+        <source>no answer</source>
+        <translation>нет ответа</translation>
+    </message>
+    <message>
+        <source>the answers are damaged</source>
+        <translation>ответы повреждены</translation>
+    </message>
+    <message>
+        <source>the answer is not the expected one</source>
+        <translation>ответ не тот, что ожидался</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>the port is gone</source>
+        <translation>порт пропал</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>прервано</translation>
+    </message>
+    <message>
+        <source>Settings of %1 sensors</source>
+        <translation>Настройка датчиков %1</translation>
+    </message>
+    <message>
+        <source>Settings of %1 sensors on %2</source>
+        <translation>Настройка датчиков %1 на %2</translation>
+    </message>
+    <message>
+        <source>No sensor of the configuration file has this address; add one to [Port%1] so that it is polled.</source>
+        <translation>В файле конфигурации нет датчика с прежним адресом; чтобы датчик опрашивался, добавьте его в [Port%1].</translation>
+    </message>
+    <message>
+        <source>Write adr%2=%3 into [Port%1] of the configuration file and start the program again: until then it polls address %4.</source>
+        <translation>Исправьте в файле конфигурации [Port%1] adr%2=%3 и перезапустите программу: до этого она опрашивает адрес %4.</translation>
+    </message>
+    <message>
+        <source>%1 (N %2 in the ini)</source>
+        <translation>%1 (в ini: N %2)</translation>
     </message>
 </context>
 <context>
