@@ -18,8 +18,11 @@ ROOMS = {
     DEVICES: ["core/values", "core/protocol", "core/line"],
     "core/engine": ["core/values", "core/line", "core/devices/driver.h", "core/devices/drivercatalog.h"],
     "core/registry": ["core/values"],
+    "core/alarms": ["core/values", "core/config", "core/registry"],
     "core/history": ["core/values", "core/config", "core/registry"],
-    "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol"],
+    "core/net": ["core/values"],
+    "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
+    "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
     "ui/service": [
@@ -27,7 +30,7 @@ ROOMS = {
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
         "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h",
     ],
-    "ui": ["core/values", "core/config", "core/registry", "core/engine/lineworker.h", "resources"],
+    "ui": ["core/values", "core/config", "core/registry", "core/alarms", "core/engine/lineworker.h", "resources"],
     "app": ["core", "ui", "translations", "resources"],
     "tests": ["app", "core", "ui", "tests", "translations"],
 }

@@ -25,6 +25,85 @@
     </message>
 </context>
 <context>
+    <name>AlarmText</name>
+    <message>
+        <source>The port cannot be opened</source>
+        <translation>Порт не открывается</translation>
+    </message>
+    <message>
+        <source>The connection to the port is lost</source>
+        <translation>Связь с портом потеряна</translation>
+    </message>
+    <message>
+        <source>Switch the port on in the configuration file.</source>
+        <translation>Включите порт в файле настроек.</translation>
+    </message>
+    <message>
+        <source>Check that the adapter is plugged in and powered, and the number of the port.</source>
+        <translation>Проверьте, что адаптер подключён и включён, и верен ли номер порта.</translation>
+    </message>
+    <message>
+        <source>Check the adapter, its cable and its power. The program opens the port again by itself.</source>
+        <translation>Проверьте адаптер, его кабель и питание. Программа откроет порт снова сама.</translation>
+    </message>
+    <message>
+        <source>%1; sensors without data: %2</source>
+        <translation>%1; датчиков без данных: %2</translation>
+    </message>
+    <message>
+        <source>Check the power of the sensor, its cable and its address.</source>
+        <translation>Проверьте питание датчика, кабель и адрес.</translation>
+    </message>
+    <message>
+        <source>Check the terminating resistor and the cable for interference, and that no two sensors have the same address.</source>
+        <translation>Проверьте согласующий резистор и помехи на кабеле, а также нет ли двух датчиков с одним адресом.</translation>
+    </message>
+    <message>
+        <source>Check the supply voltage and the cable of the transducer, restart the sensor. If that does not help, it needs repair.</source>
+        <translation>Проверьте напряжение питания и кабель преобразователя, перезапустите датчик. Если не помогло, нужен ремонт.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor. If that does not help, it needs repair.</source>
+        <translation>Перезапустите датчик. Если не помогло, нужен ремонт.</translation>
+    </message>
+    <message>
+        <source>Look at the structure and at how the sensor is fixed: it is inclined or moves beyond what it can measure.</source>
+        <translation>Осмотрите конструкцию и крепление датчика: наклон или движение выходит за диапазон измерений.</translation>
+    </message>
+    <message>
+        <source>The sensor goes on without a temperature. Plan its repair.</source>
+        <translation>Датчик работает без температуры. Запланируйте ремонт.</translation>
+    </message>
+    <message>
+        <source>Check the temperature at the sensor. If it is usual, the sensor needs repair.</source>
+        <translation>Проверьте температуру у датчика. Если она обычная, датчику нужен ремонт.</translation>
+    </message>
+    <message>
+        <source>Check the fan of the thermostat: dirt, ice, its cable. The readings may drift.</source>
+        <translation>Проверьте вентилятор термостата: грязь, лёд, провод. Показания могут уходить.</translation>
+    </message>
+    <message>
+        <source>Check the heating and the cover of the sensor: it may be too cold there. The readings may drift.</source>
+        <translation>Проверьте подогрев и крышку датчика: возможно, ему слишком холодно. Показания могут уходить.</translation>
+    </message>
+    <message>
+        <source>Look at the status word of the sensor.</source>
+        <translation>Посмотрите слово состояния датчика.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) need attention</source>
+        <translation>
+            <numerusform>%n датчик требует внимания</numerusform>
+            <numerusform>%n датчика требуют внимания</numerusform>
+            <numerusform>%n датчиков требуют внимания</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>and more: %1</source>
+        <translation>и ещё: %1</translation>
+    </message>
+</context>
+<context>
     <name>And3Driver</name>
     <message>
         <source>The sensor has restarted.</source>
@@ -43,12 +122,12 @@
         <translation>Запись ускорений была остановлена; она запущена снова.</translation>
     </message>
     <message>
-        <source>Firmware %1.%2, build %3.</source>
-        <translation>Версия ПО %1.%2, сборка %3.</translation>
-    </message>
-    <message>
         <source>Packets of accelerations do not follow each other.</source>
         <translation>Пакеты ускорений не следуют друг за другом.</translation>
+    </message>
+    <message>
+        <source>Firmware %1.</source>
+        <translation>Версия ПО %1.</translation>
     </message>
 </context>
 <context>
@@ -68,80 +147,8 @@
 <context>
     <name>Modbus</name>
     <message>
-        <source>Another program uses this port. Stop that program or choose another IPPort1.</source>
-        <translation>Этот порт занят другой программой. Завершите её или выберите другой IPPort1.</translation>
-    </message>
-    <message>
-        <source>Ports below 1024 need a right. Choose another IPPort1, or give the right once: sudo setcap cap_net_bind_service=+ep %1</source>
-        <translation>Для портов ниже 1024 нужно право. Выберите другой IPPort1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %1</translation>
-    </message>
-    <message>
-        <source>This computer does not have the address given in ModbusBind.</source>
-        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Check IPPort1 and ModbusBind.</source>
-        <translation>Проверьте IPPort1 и ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: serving on port %1.</source>
-        <translation>Modbus TCP: сервер работает на порту %1.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: stopped.</source>
-        <translation>Modbus TCP: сервер остановлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: cannot serve on port %1 (%2). %3 Trying again every %4 s.</source>
-        <translation>Modbus TCP: порт %1 недоступен (%2). %3 Попытки повторяются каждые %4 с.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
-        <translation>Modbus TCP: «%1» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
-        <translation>Modbus TCP: «%1» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are not served.</source>
-        <translation>Modbus TCP: датчики (%1, первый из них N=%2) не умещаются до регистра 65536 и не передаются.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients cannot be accepted (%1). Those connected are served on. Trying again every second.</source>
-        <translation>Modbus TCP: новые клиенты не принимаются (%1). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients are accepted again.</source>
-        <translation>Modbus TCP: новые клиенты снова принимаются.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 connected.</source>
-        <translation>Клиент Modbus %1 подключился.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 has not been here since %2.</source>
-        <translation>Клиента Modbus %1 не было с %2.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was refused: ModbusAllow does not list it.</source>
-        <translation>Клиенту Modbus %1 отказано: его нет в ModbusAllow.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it does not speak Modbus TCP (wrong length of a request).</source>
-        <translation>Клиент Modbus %1 отключён: его запросы не по протоколу Modbus TCP (неверная длина).</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asks and does not read the answers.</source>
-        <translation>Клиент Modbus %1 отключён: он запрашивает, но не читает ответы.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asked nothing for longer than ModbusIdle.</source>
-        <translation>Клиент Modbus %1 отключён: не было запросов дольше ModbusIdle.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
-        <translation>Клиент Modbus %1 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
+        <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are not served there.</source>
+        <translation>Modbus TCP: датчикам (%1 шт., первый из них N=%2) не хватает места ниже регистра 65536 в устройстве %3, там они не передаются.</translation>
     </message>
 </context>
 <context>
@@ -157,10 +164,6 @@
     <message>
         <source>Polling time</source>
         <translation>Время опроса</translation>
-    </message>
-    <message>
-        <source>how long polled without a break</source>
-        <translation>время непрерывного опроса порта</translation>
     </message>
     <message>
         <source>Time since opening</source>
@@ -179,10 +182,6 @@
         <translation>Попыток открытия</translation>
     </message>
     <message>
-        <source>those that failed</source>
-        <translation>количество неудачных попыток</translation>
-    </message>
-    <message>
         <source>Write errors</source>
         <translation>Ошибок записи</translation>
     </message>
@@ -198,6 +197,621 @@
         <source>Code of the last error</source>
         <translation>Код последней ошибки</translation>
     </message>
+    <message>
+        <source>short description of the port</source>
+        <translation>краткое описание подключенного порта</translation>
+    </message>
+    <message>
+        <source>state of the port</source>
+        <translation>состояние порта</translation>
+    </message>
+    <message>
+        <source>how long the port is polled without a break, h:mm:ss</source>
+        <translation>время непрерывного опроса порта, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>how long the port works without a break, h:mm:ss</source>
+        <translation>время непрерывной работы порта, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>number of bytes sent to the port</source>
+        <translation>количество отправленных в порт байт</translation>
+    </message>
+    <message>
+        <source>number of bytes received from the port</source>
+        <translation>количество принятых из порта байт</translation>
+    </message>
+    <message>
+        <source>number of failed attempts to open the port</source>
+        <translation>количество неудачных попыток открытия порта</translation>
+    </message>
+    <message>
+        <source>number of errors of writing to the port</source>
+        <translation>количество ошибок записи в порт</translation>
+    </message>
+    <message>
+        <source>number of errors of reading from the port</source>
+        <translation>количество ошибок чтения из порта</translation>
+    </message>
+    <message>
+        <source>number of CRC errors in what was read from the port</source>
+        <translation>количество ошибок CRC при чтении из порта</translation>
+    </message>
+    <message>
+        <source>code of the system and its meaning; 0: no error so far</source>
+        <translation>код системы и его смысл; 0 — ошибок не было</translation>
+    </message>
+</context>
+<context>
+    <name>RegisterMap</name>
+    <message>
+        <source>Channel word: two bits a port</source>
+        <translation>Слово состояния канала: два бита на порт</translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>мм/с²</translation>
+    </message>
+    <message>
+        <source>Largest acceleration, modulus</source>
+        <translation>Максимальное ускорение, модуль</translation>
+    </message>
+    <message>
+        <source>Direction of the largest acceleration</source>
+        <translation>Направление максимального ускорения</translation>
+    </message>
+    <message>
+        <source>RMS of the acceleration along X</source>
+        <translation>СКО ускорения по X</translation>
+    </message>
+    <message>
+        <source>RMS of the acceleration along Y</source>
+        <translation>СКО ускорения по Y</translation>
+    </message>
+    <message>
+        <source>Status word of the sensor</source>
+        <translation>Слово состояния датчика</translation>
+    </message>
+    <message>
+        <source>Accelerations</source>
+        <translation>Ускорения</translation>
+    </message>
+    <message>
+        <source>What is not valid keeps its last value, 0 if it never had one; the status word says so.</source>
+        <translation>Недостоверное значение остаётся последним известным, до первого измерения оно равно 0; об этом говорит слово состояния.</translation>
+    </message>
+    <message>
+        <source>the slot belongs to a sensor</source>
+        <translation>место занято датчиком</translation>
+    </message>
+    <message>
+        <source>the sensor is switched on</source>
+        <translation>датчик включён</translation>
+    </message>
+    <message>
+        <source>its port is switched on</source>
+        <translation>его порт включён</translation>
+    </message>
+    <message>
+        <source>it answers</source>
+        <translation>датчик отвечает</translation>
+    </message>
+    <message>
+        <source>tilt is valid</source>
+        <translation>углы наклона достоверны</translation>
+    </message>
+    <message>
+        <source>temperature is valid</source>
+        <translation>температура достоверна</translation>
+    </message>
+    <message>
+        <source>accelerations are valid</source>
+        <translation>ускорения достоверны</translation>
+    </message>
+    <message>
+        <source>raw_status holds a word</source>
+        <translation>raw_status содержит слово</translation>
+    </message>
+    <message>
+        <source>raw_mode holds a word</source>
+        <translation>raw_mode содержит слово</translation>
+    </message>
+    <message>
+        <source>packets of samples are counted</source>
+        <translation>пакеты отсчётов подсчитываются</translation>
+    </message>
+    <message>
+        <source>tilt</source>
+        <translation>углы наклона</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>ускорения</translation>
+    </message>
+    <message>
+        <source>thermostat</source>
+        <translation>термостат</translation>
+    </message>
+    <message>
+        <source>no type, never polled</source>
+        <translation>тип не указан, не опрашивается</translation>
+    </message>
+    <message>
+        <source>IN-D2, IN-D3, IN-D7, IN-D9</source>
+        <translation>ИН-Д2, ИН-Д3, ИН-Д7, ИН-Д9</translation>
+    </message>
+    <message>
+        <source>AN-D3</source>
+        <translation>АН-Д3</translation>
+    </message>
+    <message>
+        <source>USM-ISN</source>
+        <translation>УСМ-ИСН</translation>
+    </message>
+    <message>
+        <source>L-VIMS</source>
+        <translation>L-VIMS</translation>
+    </message>
+    <message>
+        <source>MK-14</source>
+        <translation>МК-14</translation>
+    </message>
+    <message>
+        <source>How many sensors have this status code</source>
+        <translation>Сколько датчиков с этим кодом состояния</translation>
+    </message>
+    <message>
+        <source>474F525Ah, the letters GORZ: this is the map</source>
+        <translation>474F525Ah, буквы GORZ: признак этой карты</translation>
+    </message>
+    <message>
+        <source>Version of the layout</source>
+        <translation>Версия карты</translation>
+    </message>
+    <message>
+        <source>How many slots there are</source>
+        <translation>Сколько всего мест</translation>
+    </message>
+    <message>
+        <source>Register where the directory starts</source>
+        <translation>Регистр, с которого начинается каталог</translation>
+    </message>
+    <message>
+        <source>Registers of an entry of the directory</source>
+        <translation>Регистров в записи каталога</translation>
+    </message>
+    <message>
+        <source>Register where the block of slot 0 starts</source>
+        <translation>Регистр, с которого начинается блок места 0</translation>
+    </message>
+    <message>
+        <source>Registers of a block</source>
+        <translation>Регистров в блоке</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>Time of the answer, UTC, since 1970</source>
+        <translation>Время ответа, UTC, от 1970 г.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Since the program started</source>
+        <translation>От запуска программы</translation>
+    </message>
+    <message>
+        <source>How many sensors there are</source>
+        <translation>Сколько всего датчиков</translation>
+    </message>
+    <message>
+        <source>How many of them answer</source>
+        <translation>Сколько из них отвечают</translation>
+    </message>
+    <message>
+        <source>How many of them are switched off</source>
+        <translation>Сколько из них выключено</translation>
+    </message>
+    <message>
+        <source>Site number N; 0: an empty slot</source>
+        <translation>Номер датчика N; 0 – место пустое</translation>
+    </message>
+    <message>
+        <source>Flags of the slot</source>
+        <translation>Флаги места</translation>
+    </message>
+    <message>
+        <source>Number of the port in the ini, 1…16</source>
+        <translation>Номер порта в ini, 1…16</translation>
+    </message>
+    <message>
+        <source>Address on the line</source>
+        <translation>Адрес на линии</translation>
+    </message>
+    <message>
+        <source>Type of the sensor</source>
+        <translation>Тип датчика</translation>
+    </message>
+    <message>
+        <source>What the sensor measures</source>
+        <translation>Что измеряет датчик</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s own status word</source>
+        <translation>Собственное слово состояния датчика</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s own mode word</source>
+        <translation>Собственное слово режима датчика</translation>
+    </message>
+    <message>
+        <source>Since the last answer; FFFFFFFFh: none so far</source>
+        <translation>От последнего ответа; FFFFFFFFh – ответа не было</translation>
+    </message>
+    <message>
+        <source>Time of the last answer, UTC, since 1970; 0: none so far</source>
+        <translation>Время последнего ответа, UTC, от 1970 г.; 0 – ответа не было</translation>
+    </message>
+    <message>
+        <source>Tilt along X</source>
+        <translation>Угол наклона по X</translation>
+    </message>
+    <message>
+        <source>Tilt along Y</source>
+        <translation>Угол наклона по Y</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Температура</translation>
+    </message>
+    <message>
+        <source>Power of the heater</source>
+        <translation>Мощность нагревателя</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/с</translation>
+    </message>
+    <message>
+        <source>Speed of the fan</source>
+        <translation>Частота вращения вентилятора</translation>
+    </message>
+    <message>
+        <source>Component of the largest acceleration along X</source>
+        <translation>Составляющая максимального ускорения по X</translation>
+    </message>
+    <message>
+        <source>Component of the largest acceleration along Y</source>
+        <translation>Составляющая максимального ускорения по Y</translation>
+    </message>
+    <message>
+        <source>RMS of the acceleration, modulus</source>
+        <translation>СКО ускорения, модуль</translation>
+    </message>
+    <message>
+        <source>Answers since the program started</source>
+        <translation>Ответов от запуска программы</translation>
+    </message>
+    <message>
+        <source>Failed reads since the program started</source>
+        <translation>Ошибок чтения от запуска программы</translation>
+    </message>
+    <message>
+        <source>Wrong check sums since the program started</source>
+        <translation>Ошибок CRC от запуска программы</translation>
+    </message>
+    <message>
+        <source>Packets of samples measured since the sensor started</source>
+        <translation>Пакетов отсчётов измерено от запуска датчика</translation>
+    </message>
+    <message>
+        <source>Packets of samples read since the program started</source>
+        <translation>Пакетов отсчётов прочитано от запуска программы</translation>
+    </message>
+    <message>
+        <source>Between the last two turns</source>
+        <translation>Период двух последних опросов</translation>
+    </message>
+    <message>
+        <source>How long the last turn took</source>
+        <translation>Длительность последнего опроса</translation>
+    </message>
+    <message>
+        <source>Directory</source>
+        <translation>Каталог</translation>
+    </message>
+    <message>
+        <source>Blocks of the sensors</source>
+        <translation>Блоки датчиков</translation>
+    </message>
+    <message>
+        <source>Extended map: every sensor of every type</source>
+        <translation>Расширенная карта: все датчики всех типов</translation>
+    </message>
+    <message>
+        <source>A number that is absent or not valid now is NaN (7FC00000h) where the type is float32, and 0 with a flag otherwise. Registers that are not listed are reserved and read 0. One request is answered from one moment: a value that it reads whole is never torn.</source>
+        <translation>Отсутствующее или недостоверное сейчас число типа float32 равно NaN (7FC00000h), у остальных типов – 0, о чём говорит флаг. Не перечисленные регистры зарезервированы и читаются как 0. Ответ на один запрос относится к одному моменту: прочитанное целиком значение не бывает составлено из двух разных.</translation>
+    </message>
+    <message>
+        <source>Bit</source>
+        <translation>Бит</translation>
+    </message>
+    <message>
+        <source>If it is set</source>
+        <translation>Если установлен</translation>
+    </message>
+    <message>
+        <source>the sensor is switched off</source>
+        <translation>датчик выключен</translation>
+    </message>
+    <message>
+        <source>tilt is not valid or not ready</source>
+        <translation>углы наклона не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>temperature is not valid or not ready</source>
+        <translation>температура не достоверна или не готова</translation>
+    </message>
+    <message>
+        <source>accelerations are not valid or not ready</source>
+        <translation>ускорения не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>samples of accelerations were lost</source>
+        <translation>часть отсчётов ускорений потеряна (переполнение буфера обмена)</translation>
+    </message>
+    <message>
+        <source>packets of samples do not follow each other</source>
+        <translation>пакеты отсчётов идут не подряд (ошибка синхронизации)</translation>
+    </message>
+    <message>
+        <source>the sensor has restarted</source>
+        <translation>датчик перезапускался</translation>
+    </message>
+    <message>
+        <source>the thermostat has not settled</source>
+        <translation>терморегулирование не завершено</translation>
+    </message>
+    <message>
+        <source>the heater is at its minimum</source>
+        <translation>минимальная мощность нагрева</translation>
+    </message>
+    <message>
+        <source>the heater is at its maximum</source>
+        <translation>максимальная мощность нагрева</translation>
+    </message>
+    <message>
+        <source>Bits 15…12</source>
+        <translation>Биты 15…12</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Описание</translation>
+    </message>
+    <message>
+        <source>Two bits</source>
+        <translation>Два бита</translation>
+    </message>
+    <message>
+        <source>The port</source>
+        <translation>Порт</translation>
+    </message>
+    <message>
+        <source>has no errors, or there is none</source>
+        <translation>без ошибок или отсутствует</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>не открывается</translation>
+    </message>
+    <message>
+        <source>was lost, or takes no bytes</source>
+        <translation>пропал или не принимает данные</translation>
+    </message>
+    <message>
+        <source>is switched off</source>
+        <translation>выключен</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Код</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Датчики</translation>
+    </message>
+    <message>
+        <source>Words and codes</source>
+        <translation>Слова и коды</translation>
+    </message>
+    <message>
+        <source>Channel word: port i in bits 2(i−1) and 2(i−1)+1</source>
+        <translation>Слово состояния канала: порт i в битах 2(i−1) и 2(i−1)+1</translation>
+    </message>
+    <message>
+        <source>Unit 1: flags</source>
+        <translation>Устройство 1: flags (флаги)</translation>
+    </message>
+    <message>
+        <source>Unit 1: quantities</source>
+        <translation>Устройство 1: quantities (величины)</translation>
+    </message>
+    <message>
+        <source>Unit 1: type</source>
+        <translation>Устройство 1: type (тип)</translation>
+    </message>
+    <message>
+        <source>Modbus register map</source>
+        <translation>Карта регистров Modbus</translation>
+    </message>
+    <message>
+        <source>The server is switched off in this configuration (CanModbus=0).</source>
+        <translation>В этой конфигурации сервер выключен (CanModbus=0).</translation>
+    </message>
+    <message>
+        <source>Modbus TCP, port %1. Nothing can be written.</source>
+        <translation>Modbus TCP, порт %1. Только чтение.</translation>
+    </message>
+    <message>
+        <source>ModbusPacking=ByNumber: in every unit slot 0 is N=1, slot 1 is N=2 and so on. Slots without a sensor are not listed; they hold the status word 0F00h and nothing else.</source>
+        <translation>ModbusPacking=ByNumber: в каждом устройстве место 0 – N=1, место 1 – N=2 и так далее. Места без датчика не перечислены; в них только слово состояния 0F00h.</translation>
+    </message>
+    <message>
+        <source>ModbusPacking=ByType: the sensors of a unit follow each other in ascending N, switched-off ones included. Their places change only when sensors are added to the ini or taken out.</source>
+        <translation>ModbusPacking=ByType: датчики устройства идут подряд по возрастанию N, включая выключенные. Их места меняются, только если датчики добавлены в ini или убраны из него.</translation>
+    </message>
+    <message>
+        <source>A register is given as in the request, counted from 0, and as programs give it that count from 1 and put the kind of register in front: 30001 is register 0 read with function 04, 40001 the same with function 03. Behind 39999 there are five digits: 310000.</source>
+        <translation>Регистр указан так, как он стоит в запросе (счёт от 0), и так, как его указывают программы, которые считают от 1 и ставят впереди вид регистра: 30001 – регистр 0, читаемый функцией 04, 40001 – он же, функция 03. После 39999 цифр пять: 310000.</translation>
+    </message>
+    <message>
+        <source>A request reads any part of a unit, at most 125 registers. Exceptions: 0B no such unit, 01 function, 03 quantity, 02 registers that do not exist.</source>
+        <translation>Одним запросом читается любая часть устройства, не более 125 регистров. Исключения: 0B – нет такого устройства, 01 – функция, 03 – количество, 02 – таких регистров нет.</translation>
+    </message>
+    <message>
+        <source>Order of the bytes on the wire: A is the high byte of the value.</source>
+        <translation>Порядок байтов при передаче: A – старший байт значения.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Порт</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Адрес</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Включён</translation>
+    </message>
+    <message>
+        <source>From register, unit %1</source>
+        <translation>С регистра, устройство %1</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>да</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Регистр</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Регистров</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Поле</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Множитель</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед. изм.</translation>
+    </message>
+    <message>
+        <source>All numbers low byte first, in the registers too: where usual Modbus has 1234h, there is 3412h. Swap the bytes of every register, and the registers of the channel word.</source>
+        <translation>Все числа передаются младшим байтом вперёд, в том числе внутри регистров: там, где в обычном Modbus 1234h, здесь 3412h. Поменяйте местами байты каждого регистра, а у слова состояния канала ещё и регистры.</translation>
+    </message>
+    <message>
+        <source>All numbers high byte first, of several registers the high one first, as Modbus is usually read.</source>
+        <translation>Все числа передаются старшим байтом вперёд, из нескольких регистров первым идёт старший, как принято в Modbus.</translation>
+    </message>
+    <message>
+        <source>Unit %1. %2</source>
+        <translation>Устройство %1. %2</translation>
+    </message>
+    <message>
+        <source>Function %1; registers %2…%3.</source>
+        <translation>Функция %1; регистры %2…%3.</translation>
+    </message>
+    <message>
+        <source>03 or 04</source>
+        <translation>03 или 04</translation>
+    </message>
+    <message>
+        <source>Bytes of the answer</source>
+        <translation>Байты ответа</translation>
+    </message>
+    <message>
+        <source>What they are</source>
+        <translation>Что это</translation>
+    </message>
+    <message>
+        <source>transaction, as in the request</source>
+        <translation>транзакция, как в запросе</translation>
+    </message>
+    <message>
+        <source>protocol, as in the request</source>
+        <translation>протокол, как в запросе</translation>
+    </message>
+    <message>
+        <source>how many bytes follow</source>
+        <translation>сколько байтов следует</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>устройство</translation>
+    </message>
+    <message>
+        <source>function</source>
+        <translation>функция</translation>
+    </message>
+    <message>
+        <source>how many bytes of data follow</source>
+        <translation>сколько байтов данных следует</translation>
+    </message>
+    <message>
+        <source>Example: function 04, %1 registers from register %2, of sensor N=%3</source>
+        <translation>Пример: функция 04, количество регистров %1, начиная с регистра %2, датчик N=%3</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Запрос</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Ответ</translation>
+    </message>
+    <message>
+        <source>Angles of tilt</source>
+        <translation>Углы наклона</translation>
+    </message>
 </context>
 <context>
     <name>SensorPage</name>
@@ -208,10 +822,6 @@
     <message>
         <source>maximum along X %1, along Y %2 mm/s²</source>
         <translation>максимум по X %1, по Y %2 мм/с²</translation>
-    </message>
-    <message>
-        <source>flags of the state : of the mode, as the sensor gives them; the program&apos;s own word is %1</source>
-        <translation>флаги состояния : режима, как их передаёт датчик; слово состояния программы: %1</translation>
     </message>
     <message>
         <source>Comment</source>
@@ -242,10 +852,6 @@
         <translation>Термостат, % (об./с)</translation>
     </message>
     <message>
-        <source>power of the heater (frequency of the fan)</source>
-        <translation>мощность нагревателя (частота вентилятора)</translation>
-    </message>
-    <message>
         <source>Status word</source>
         <translation>Слово состояния</translation>
     </message>
@@ -254,16 +860,88 @@
         <translation>Период опроса, с</translation>
     </message>
     <message>
-        <source>period | time of the exchange | age of the values</source>
-        <translation>период | длительность обмена | возраст показаний</translation>
-    </message>
-    <message>
         <source>Read errors</source>
         <translation>Ошибок чтения</translation>
     </message>
     <message>
         <source>CRC errors</source>
         <translation>Ошибок CRC</translation>
+    </message>
+    <message>
+        <source>asked once a minute if CanInfo=1</source>
+        <translation>запрашивается раз в минуту при CanInfo=1</translation>
+    </message>
+    <message>
+        <source>a number as the sensor gives it</source>
+        <translation>число, как его передаёт датчик</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>Версия ПО</translation>
+    </message>
+    <message>
+        <source>System clock</source>
+        <translation>Системный такт</translation>
+    </message>
+    <message>
+        <source>Power of the heater</source>
+        <translation>Мощность нагревателя</translation>
+    </message>
+    <message>
+        <source>Power of the fan</source>
+        <translation>Мощность вентилятора</translation>
+    </message>
+    <message>
+        <source>Address and command of the transducer</source>
+        <translation>Адрес и команда преобразователя</translation>
+    </message>
+    <message>
+        <source>Response time of the transducer</source>
+        <translation>Время ответа преобразователя</translation>
+    </message>
+    <message>
+        <source>flags of the state : flags of the mode, as the sensor gives them</source>
+        <translation>флаги состояния : флаги режима работы, как их передаёт датчик</translation>
+    </message>
+    <message>
+        <source>the program&apos;s own word: %1</source>
+        <translation>слово состояния программы: %1</translation>
+    </message>
+    <message>
+        <source>short description of the sensor</source>
+        <translation>краткое описание подключенного датчика</translation>
+    </message>
+    <message>
+        <source>state of the sensor</source>
+        <translation>состояние подключенного датчика</translation>
+    </message>
+    <message>
+        <source>angle along X, angle along Y, degrees (the same in arc-seconds)</source>
+        <translation>угол по X, угол по Y, угл. град. (угол по X, угол по Y, угл. сек.)</translation>
+    </message>
+    <message>
+        <source>temperature, if the sensor measures it</source>
+        <translation>температура, °C (если поддерживается датчиком)</translation>
+    </message>
+    <message>
+        <source>speed of the wind, if the sensor measures it</source>
+        <translation>скорость ветра (если поддерживается датчиком)</translation>
+    </message>
+    <message>
+        <source>power of the heater, % (frequency of the fan, revolutions per second)</source>
+        <translation>мощность нагревательного элемента, % (частота вентилятора, об./с)</translation>
+    </message>
+    <message>
+        <source>actual period of polling | time of the exchange | age of the values</source>
+        <translation>фактический период опроса | длительность обмена | возраст показаний</translation>
+    </message>
+    <message>
+        <source>number of errors of reading from the sensor</source>
+        <translation>количество ошибок чтения из датчика</translation>
+    </message>
+    <message>
+        <source>number of CRC errors in what was read from the sensor</source>
+        <translation>количество ошибок CRC при чтении из датчика</translation>
     </message>
 </context>
 <context>
@@ -444,13 +1122,37 @@
         <source>The first one counts.</source>
         <translation>Действует первый.</translation>
     </message>
+    <message>
+        <source>%1 is more than %2.</source>
+        <translation>%1 больше %2.</translation>
+    </message>
+    <message>
+        <source>The text is longer than %1 characters.</source>
+        <translation>Текст длиннее %1 символов.</translation>
+    </message>
+    <message>
+        <source>Its beginning is used.</source>
+        <translation>Взято его начало.</translation>
+    </message>
+    <message>
+        <source>%1 is the port of Modbus TCP already.</source>
+        <translation>%1 — уже порт Modbus TCP.</translation>
+    </message>
+    <message>
+        <source>ADC24 TCP is switched off.</source>
+        <translation>ADC24 TCP выключен.</translation>
+    </message>
+    <message>
+        <source>The first accelerometer is used.</source>
+        <translation>Используется первый акселерометр.</translation>
+    </message>
+    <message>
+        <source>The site has no accelerometer with number %1.</source>
+        <translation>На объекте нет акселерометра с номером %1.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
-    <message>
-        <source>the file gives “%1”, which cannot be used</source>
-        <translation>в файле указано «%1», это значение использовать нельзя</translation>
-    </message>
     <message>
         <source>%1 ms</source>
         <translation>%1 мс</translation>
@@ -468,84 +1170,8 @@
         <translation>IP порт</translation>
     </message>
     <message>
-        <source>Modbus TCP</source>
-        <translation>Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus TCP, switched off</source>
-        <translation>Modbus TCP, выключен</translation>
-    </message>
-    <message>
-        <source>period of the visible elements</source>
-        <translation>период обновления визуальных элементов программы</translation>
-    </message>
-    <message>
-        <source>period of polling a port</source>
-        <translation>период опроса COM-портов</translation>
-    </message>
-    <message>
-        <source>time for resources at the start</source>
-        <translation>время на инициализацию ресурсов программы</translation>
-    </message>
-    <message>
-        <source>period of the records in the files</source>
-        <translation>период сохранения результатов измерений в файлах</translation>
-    </message>
-    <message>
         <source>slice of any pause</source>
         <translation>квант времени для задержек</translation>
-    </message>
-    <message>
-        <source>after a failed attempt to open a port</source>
-        <translation>задержка после неудачной попытки открытия COM-порта</translation>
-    </message>
-    <message>
-        <source>after closing a port, before it is opened again</source>
-        <translation>задержка после закрытия COM-порта перед повторным открытием</translation>
-    </message>
-    <message>
-        <source>time for an orderly end of the program</source>
-        <translation>время на штатное освобождение ресурсов программы при закрытии</translation>
-    </message>
-    <message>
-        <source>after another address is chosen</source>
-        <translation>приостановка после изменения адреса датчика</translation>
-    </message>
-    <message>
-        <source>after a polling cycle</source>
-        <translation>приостановка после завершения цикла опроса</translation>
-    </message>
-    <message>
-        <source>after a read error</source>
-        <translation>приостановка после ошибки чтения</translation>
-    </message>
-    <message>
-        <source>after a CRC error</source>
-        <translation>приостановка после ошибки CRC</translation>
-    </message>
-    <message>
-        <source>reading the answer to a command</source>
-        <translation>таймаут чтения команды из COM-порта</translation>
-    </message>
-    <message>
-        <source>writing a command</source>
-        <translation>таймаут записи команды в COM-порт</translation>
-    </message>
-    <message>
-        <source>reading data</source>
-        <translation>таймаут чтения данных из COM-порта</translation>
-    </message>
-    <message>
-        <source>writing data</source>
-        <translation>таймаут записи данных в COM-порт</translation>
-    </message>
-    <message>
-        <source>read errors in a row before the status word says so</source>
-        <translation>ошибок чтения подряд до флага в слове состояния датчика</translation>
-    </message>
-    <message>
-        <source>CRC errors in a row before the status word says so</source>
-        <translation>ошибок CRC подряд до флага в слове состояния датчика</translation>
     </message>
     <message>
         <source>[More]</source>
@@ -586,10 +1212,6 @@
     <message>
         <source>%1 packets</source>
         <translation>%1 пакетов</translation>
-    </message>
-    <message>
-        <source>32 samples of both axes each</source>
-        <translation>по 32 измерения по осям X и Y в пакете</translation>
     </message>
     <message>
         <source>[Port]</source>
@@ -662,6 +1284,462 @@
     <message>
         <source>Remark</source>
         <translation>Примечание</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>чётность</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>нечётность</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>единица</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>ноль</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>углы</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>accelerations</source>
+        <translation>ускорения</translation>
+    </message>
+    <message>
+        <source>information about the sensor; its keywords tell what the sensor is able to do</source>
+        <translation>информация о датчике; ключевые слова задают аппаратные возможности датчика</translation>
+    </message>
+    <message>
+        <source>take the sensor into the polling cycle?</source>
+        <translation>включать датчик в цикл опроса?</translation>
+    </message>
+    <message>
+        <source>number of the sensor on the site</source>
+        <translation>порядковый номер датчика на объекте</translation>
+    </message>
+    <message>
+        <source>address of the sensor on the line</source>
+        <translation>адрес датчика на линии</translation>
+    </message>
+    <message>
+        <source>works number of the primary transducer</source>
+        <translation>заводской номер первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>zero offset along X after the adjustment; in the file in arc-seconds</source>
+        <translation>смещение нуля датчика по X после юстировки; в файле — угл. сек.</translation>
+    </message>
+    <message>
+        <source>zero offset along Y after the adjustment; in the file in arc-seconds</source>
+        <translation>смещение нуля датчика по Y после юстировки; в файле — угл. сек.</translation>
+    </message>
+    <message>
+        <source>zero correction of the temperature sensor, °C; sensors without temperature have none</source>
+        <translation>коррекция нуля датчика температуры, °C; у датчиков без температуры отсутствует</translation>
+    </message>
+    <message>
+        <source>invert the axis Y of the sensor&apos;s coordinate system?</source>
+        <translation>инвертировать ось Y системы координат датчика?</translation>
+    </message>
+    <message>
+        <source>angle of the sensor&apos;s coordinate system against that of the site, degrees</source>
+        <translation>угол вращения системы координат датчика по отношению к системе координат объекта, угл. град.</translation>
+    </message>
+    <message>
+        <source>date when the sensor was installed</source>
+        <translation>дата установки датчика</translation>
+    </message>
+    <message>
+        <source>date when the sensor was last adjusted</source>
+        <translation>дата последней юстировки</translation>
+    </message>
+    <message>
+        <source>additional information about the sensor</source>
+        <translation>дополнительная информация о датчике</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>place of the sensor, shown in the tree</source>
+        <translation>место установки датчика, показывается в дереве</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>by the keywords of the comment</source>
+        <translation>по ключевым словам комментария</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Измеряет</translation>
+    </message>
+    <message>
+        <source>what the type is able to measure; AccelOn=0 leaves out the accelerations</source>
+        <translation>что умеет измерять датчик этого типа; AccelOn=0 исключает ускорения</translation>
+    </message>
+    <message>
+        <source>Thermostat</source>
+        <translation>Термостат</translation>
+    </message>
+    <message>
+        <source>by the keywords of the comment; fan and heater count in the status word</source>
+        <translation>по ключевым словам комментария; вентилятор и нагрев учитываются в слове состояния</translation>
+    </message>
+    <message>
+        <source>an option of this type of sensor</source>
+        <translation>параметр датчиков этого типа</translation>
+    </message>
+    <message>
+        <source>short description of the port&apos;s adapter</source>
+        <translation>краткое описание адаптера порта</translation>
+    </message>
+    <message>
+        <source>take the port into the polling cycle?</source>
+        <translation>включать порт в цикл опроса?</translation>
+    </message>
+    <message>
+        <source>name of the port in the operating system</source>
+        <translation>название порта в ОС</translation>
+    </message>
+    <message>
+        <source>speed of transmission, baud</source>
+        <translation>скорость передачи, бод</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Устройство</translation>
+    </message>
+    <message>
+        <source>opened instead of the port of that number: a path, COM4, tcp://host:port, sim:</source>
+        <translation>открывается вместо порта с этим номером: путь, COM4, tcp://узел:порт, sim:</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Биты данных</translation>
+    </message>
+    <message>
+        <source>5 … 8</source>
+        <translation>5 … 8</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Чётность</translation>
+    </message>
+    <message>
+        <source>N, E, O, M or S</source>
+        <translation>N, E, O, M или S</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Стоповые биты</translation>
+    </message>
+    <message>
+        <source>1, 1.5 or 2</source>
+        <translation>1, 1.5 или 2</translation>
+    </message>
+    <message>
+        <source>does the driver of the adapter control the direction?</source>
+        <translation>направлением передачи управляет драйвер адаптера?</translation>
+    </message>
+    <message>
+        <source>Sensors listed</source>
+        <translation>Датчиков в списке</translation>
+    </message>
+    <message>
+        <source>number of sensors connected to the port</source>
+        <translation>количество подключенных к порту датчиков</translation>
+    </message>
+    <message>
+        <source>short description of this copy of the program</source>
+        <translation>краткое описание копии программы</translation>
+    </message>
+    <message>
+        <source>number of the IP port for Modbus TCP</source>
+        <translation>номер IP порта для протокола Modbus TCP</translation>
+    </message>
+    <message>
+        <source>number of the IP port for Modbus TCP, switched off by CanModbus=0</source>
+        <translation>номер IP порта для протокола Modbus TCP, выключен (CanModbus=0)</translation>
+    </message>
+    <message>
+        <source>period of drawing the visible elements of the program</source>
+        <translation>период обновления визуальных элементов программы</translation>
+    </message>
+    <message>
+        <source>period of polling the COM ports</source>
+        <translation>период опроса COM-портов</translation>
+    </message>
+    <message>
+        <source>time for resources of the program at its start</source>
+        <translation>время, выделяемое для инициализации ресурсов программы</translation>
+    </message>
+    <message>
+        <source>period of saving the measurements in files</source>
+        <translation>период сохранения результатов измерений в файлах</translation>
+    </message>
+    <message>
+        <source>pause after a failed attempt to open a COM port</source>
+        <translation>задержка после неудачной попытки открытия COM-порта</translation>
+    </message>
+    <message>
+        <source>pause after closing a COM port, before it is opened again</source>
+        <translation>задержка после закрытия COM-порта перед повторным открытием</translation>
+    </message>
+    <message>
+        <source>time for an orderly end of the program; then it is ended by force</source>
+        <translation>время на штатное освобождение ресурсов программы при закрытии; затем она закрывается аварийно</translation>
+    </message>
+    <message>
+        <source>pause after another address is chosen</source>
+        <translation>время приостановки процесса после изменения адреса датчика</translation>
+    </message>
+    <message>
+        <source>pause after a polling cycle</source>
+        <translation>время приостановки процесса после завершения цикла опроса</translation>
+    </message>
+    <message>
+        <source>pause after a read error</source>
+        <translation>время приостановки процесса после ошибки чтения</translation>
+    </message>
+    <message>
+        <source>pause after a CRC error</source>
+        <translation>время приостановки процесса после ошибки CRC</translation>
+    </message>
+    <message>
+        <source>timeout of reading a command from a COM port</source>
+        <translation>таймаут чтения команды из COM-порта</translation>
+    </message>
+    <message>
+        <source>timeout of writing a command to a COM port</source>
+        <translation>таймаут записи команды в COM-порт</translation>
+    </message>
+    <message>
+        <source>timeout of reading data from a COM port</source>
+        <translation>таймаут чтения данных из COM-порта</translation>
+    </message>
+    <message>
+        <source>timeout of writing data to a COM port</source>
+        <translation>таймаут записи данных в COM-порт</translation>
+    </message>
+    <message>
+        <source>read errors in a row before the status word of the sensor says so</source>
+        <translation>количество ошибок чтения подряд, после которых выставляется флаг слова состояния датчика</translation>
+    </message>
+    <message>
+        <source>CRC errors in a row before the status word of the sensor says so</source>
+        <translation>количество ошибок CRC подряд, после которых выставляется флаг слова состояния датчика</translation>
+    </message>
+    <message>
+        <source>save measurements and the journal of events in files?</source>
+        <translation>сохранять результаты измерений и журнал событий в файлах?</translation>
+    </message>
+    <message>
+        <source>number of the last records on the tab of measurements</source>
+        <translation>количество последних записей, отображаемых во вкладке измерений</translation>
+    </message>
+    <message>
+        <source>number of records removed from the tab of measurements when it is full</source>
+        <translation>количество записей во вкладке измерений, которые удаляются после переполнения</translation>
+    </message>
+    <message>
+        <source>hide the window of the program in the tray at its start?</source>
+        <translation>сворачивать окно программы в трей при запуске?</translation>
+    </message>
+    <message>
+        <source>show a warning when the program is closed? (CanClose=0)</source>
+        <translation>выводить окно предупреждения при закрытии программы? (CanClose=0)</translation>
+    </message>
+    <message>
+        <source>allow copies of the program to run at the same time?</source>
+        <translation>разрешать одновременный запуск копий программы?</translation>
+    </message>
+    <message>
+        <source>show additional elements of the program?</source>
+        <translation>отображать дополнительные элементы программы?</translation>
+    </message>
+    <message>
+        <source>size of the accelerometer&apos;s ring; a packet holds 32 samples along X and Y</source>
+        <translation>размер циклического буфера акселерометра; в пакете 32 измерения по X и Y</translation>
+    </message>
+    <message>
+        <source>[Program]</source>
+        <translation>[Программа]</translation>
+    </message>
+    <message>
+        <source>Caption of the window</source>
+        <translation>Заголовок окна</translation>
+    </message>
+    <message>
+        <source>title of the window</source>
+        <translation>текст заголовка окна программы</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Язык</translation>
+    </message>
+    <message>
+        <source>language of the program: ru or en; --lang goes before it</source>
+        <translation>язык программы: ru или en; ключ --lang важнее</translation>
+    </message>
+    <message>
+        <source>Serial number of the copy</source>
+        <translation>Серийный номер копии</translation>
+    </message>
+    <message>
+        <source>kept, without any effect</source>
+        <translation>хранится, на работу не влияет</translation>
+    </message>
+    <message>
+        <source>Ports listed</source>
+        <translation>Портов в списке</translation>
+    </message>
+    <message>
+        <source>number of COM ports in the configuration file</source>
+        <translation>количество COM-портов в файле настроек</translation>
+    </message>
+    <message>
+        <source>Ask for information</source>
+        <translation>Запрашивать информацию</translation>
+    </message>
+    <message>
+        <source>ask sensors for additional information about their state?</source>
+        <translation>запрашивать дополнительную информацию о состоянии датчика?</translation>
+    </message>
+    <message>
+        <source>Buffers in a file</source>
+        <translation>Буферов в файле</translation>
+    </message>
+    <message>
+        <source>samples of acceleration in one binary file: %1 (SrsBufSize × 32 × SrsBufToSave)</source>
+        <translation>измерений ускорений в одном двоичном файле: %1 (SrsBufSize × 32 × SrsBufToSave)</translation>
+    </message>
+    <message>
+        <source>Gravity, m/s²</source>
+        <translation>Ускорение св. падения, м/с²</translation>
+    </message>
+    <message>
+        <source>acceleration of free fall, by which raw accelerations become mm/s²</source>
+        <translation>ускорение свободного падения для пересчёта ускорений в мм/с²</translation>
+    </message>
+    <message>
+        <source>Status bits of the original</source>
+        <translation>Биты статуса прежней программы</translation>
+    </message>
+    <message>
+        <source>print the status words as the original program did?</source>
+        <translation>выдавать слова состояния так, как прежняя программа?</translation>
+    </message>
+    <message>
+        <source>IP port of ADC24</source>
+        <translation>IP порт ADC24</translation>
+    </message>
+    <message>
+        <source>number of the IP port for ADC24 TCP</source>
+        <translation>номер IP порта для протокола ADC24 TCP</translation>
+    </message>
+    <message>
+        <source>OPC DA interface</source>
+        <translation>Интерфейс OPC DA</translation>
+    </message>
+    <message>
+        <source>serve OPC DA? Only one copy of the program may run then</source>
+        <translation>передавать данные по OPC DA? Тогда работает только одна копия программы</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Сервер Modbus TCP</translation>
+    </message>
+    <message>
+        <source>serve readings over Modbus TCP?</source>
+        <translation>передавать показания по протоколу Modbus TCP?</translation>
+    </message>
+    <message>
+        <source>Order of the sensors</source>
+        <translation>Порядок датчиков</translation>
+    </message>
+    <message>
+        <source>by type</source>
+        <translation>по типам</translation>
+    </message>
+    <message>
+        <source>by number</source>
+        <translation>по номерам</translation>
+    </message>
+    <message>
+        <source>in units 3 and 6: every sensor of the type in turn, or a place for every site number</source>
+        <translation>в адресах 3 и 6: датчики своего типа подряд или место для каждого номера на объекте</translation>
+    </message>
+    <message>
+        <source>First register</source>
+        <translation>Первый регистр</translation>
+    </message>
+    <message>
+        <source>where the registers of units 3 and 6 start: 0 or 1</source>
+        <translation>с чего начинаются регистры адресов 3 и 6: 0 или 1</translation>
+    </message>
+    <message>
+        <source>Clients at most</source>
+        <translation>Клиентов не более</translation>
+    </message>
+    <message>
+        <source>connections at the same time</source>
+        <translation>количество одновременных подключений</translation>
+    </message>
+    <message>
+        <source>Cut off silent clients</source>
+        <translation>Отключать молчащих клиентов</translation>
+    </message>
+    <message>
+        <source>after %1 s</source>
+        <translation>через %1 с</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>никогда</translation>
+    </message>
+    <message>
+        <source>how long a client may ask nothing</source>
+        <translation>сколько клиент может не присылать запросов</translation>
+    </message>
+    <message>
+        <source>Address of the server</source>
+        <translation>Адрес сервера</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>все</translation>
+    </message>
+    <message>
+        <source>IP address of this computer to serve on</source>
+        <translation>IP-адрес этого компьютера, на котором принимаются подключения</translation>
+    </message>
+    <message>
+        <source>Clients allowed</source>
+        <translation>Разрешённые клиенты</translation>
+    </message>
+    <message>
+        <source>addresses and blocks of addresses that may connect</source>
+        <translation>адреса и блоки адресов, которым разрешено подключаться</translation>
+    </message>
+    <message>
+        <source>the file gives “%1”, which cannot be used; “%2” is used</source>
+        <translation>в файле указано «%1», это значение использовать нельзя; используется «%2»</translation>
     </message>
 </context>
 <context>
@@ -789,6 +1867,136 @@
     <message>
         <source>no</source>
         <translation>нет</translation>
+    </message>
+</context>
+<context>
+    <name>StatusBits</name>
+    <message>
+        <source>polling is off</source>
+        <translation>опрос отключен</translation>
+    </message>
+    <message>
+        <source>angles are not valid or not ready</source>
+        <translation>результаты измерения углов наклона не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>temperature is not valid or not ready</source>
+        <translation>результаты измерения температуры не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>accelerations are not valid or not ready</source>
+        <translation>результаты измерения ускорений не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>the exchange buffer of accelerations overran</source>
+        <translation>переполнение буфера обмена ускорений</translation>
+    </message>
+    <message>
+        <source>synchronisation error</source>
+        <translation>ошибка синхронизации</translation>
+    </message>
+    <message>
+        <source>the microcontroller has restarted</source>
+        <translation>произошла перезагрузка микроконтроллера</translation>
+    </message>
+    <message>
+        <source>the thermostat has not settled</source>
+        <translation>терморегулирование не завершено</translation>
+    </message>
+    <message>
+        <source>heating of the thermostat at minimum (fast cooling)</source>
+        <translation>минимальная мощность нагрева термостата (быстрое охлаждение)</translation>
+    </message>
+    <message>
+        <source>heating of the thermostat at maximum (fast heating)</source>
+        <translation>максимальная мощность нагрева термостата (быстрый нагрев)</translation>
+    </message>
+    <message>
+        <source>the thermostat is on</source>
+        <translation>термостат включен</translation>
+    </message>
+    <message>
+        <source>searching for its address</source>
+        <translation>поиск адреса</translation>
+    </message>
+    <message>
+        <source>error of the thermostat</source>
+        <translation>ошибка термостата</translation>
+    </message>
+    <message>
+        <source>error of the fan</source>
+        <translation>ошибка вентилятора</translation>
+    </message>
+    <message>
+        <source>temperature out of range</source>
+        <translation>температура вне диапазона</translation>
+    </message>
+    <message>
+        <source>temperature cannot be read</source>
+        <translation>ошибка чтения температуры</translation>
+    </message>
+    <message>
+        <source>the transducer is out of range</source>
+        <translation>первичный преобразователь вне диапазона</translation>
+    </message>
+    <message>
+        <source>CRC errors of the transducer</source>
+        <translation>ошибки CRC первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>the transducer does not answer</source>
+        <translation>первичный преобразователь не отвечает</translation>
+    </message>
+    <message>
+        <source>data of the fan are ready</source>
+        <translation>данные вентилятора готовы</translation>
+    </message>
+    <message>
+        <source>temperature is ready</source>
+        <translation>температура готова</translation>
+    </message>
+    <message>
+        <source>angles are ready</source>
+        <translation>углы готовы</translation>
+    </message>
+    <message>
+        <source>the restart was acknowledged</source>
+        <translation>перезагрузка подтверждена</translation>
+    </message>
+    <message>
+        <source>bit %1: %2</source>
+        <translation>бит %1: %2</translation>
+    </message>
+    <message>
+        <source>code %1: %2</source>
+        <translation>код %1: %2</translation>
+    </message>
+    <message>
+        <source>Status word of the sensor: the code of the error, then bits 11…0</source>
+        <translation>Слово состояния датчика: код ошибки, затем биты 11…0</translation>
+    </message>
+    <message>
+        <source>bits 11 and 10 do not count: the sensor has no thermostat</source>
+        <translation>биты 11 и 10 не учитываются: у датчика нет термостата</translation>
+    </message>
+    <message>
+        <source>mode, bit 6: the recording of accelerations is stopped</source>
+        <translation>режим, бит 6: запись ускорений остановлена</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AlarmWatch</name>
+    <message numerus="yes">
+        <source>Accepted by the dispatcher: %n message(s)</source>
+        <translation>
+            <numerusform>Принято диспетчером: %n сообщение</numerusform>
+            <numerusform>Принято диспетчером: %n сообщения</numerusform>
+            <numerusform>Принято диспетчером: %n сообщений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted by the dispatcher: %1</source>
+        <translation>Принято диспетчером: %1</translation>
     </message>
 </context>
 <context>
@@ -970,13 +2178,67 @@
         <source>Show</source>
         <translation>Показать</translation>
     </message>
-    <message numerus="yes">
-        <source>%n sensor(s) need attention</source>
-        <translation>
-            <numerusform>%n датчик требует внимания</numerusform>
-            <numerusform>%n датчика требуют внимания</numerusform>
-            <numerusform>%n датчиков требуют внимания</numerusform>
-        </translation>
+    <message>
+        <source>Accept</source>
+        <translation>Принять</translation>
+    </message>
+    <message>
+        <source>The messages are known: they leave the list, the sensors stay marked until they work again</source>
+        <translation>Сообщения приняты к сведению: они уходят из списка, а датчики остаются отмеченными, пока не заработают</translation>
+    </message>
+    <message>
+        <source>%1. The newest message: %2</source>
+        <translation>%1. Последнее сообщение: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AttentionDialog</name>
+    <message>
+        <source>Messages for the dispatcher</source>
+        <translation>Сообщения для диспетчера</translation>
+    </message>
+    <message>
+        <source>&amp;Accept</source>
+        <translation>&amp;Принять</translation>
+    </message>
+    <message>
+        <source>Accept a&amp;ll</source>
+        <translation>Принять &amp;все</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>There are no messages</source>
+        <translation>Сообщений нет</translation>
+    </message>
+    <message>
+        <source>accepted, not mended yet: %1</source>
+        <translation>принято, но ещё не устранено: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AttentionModel</name>
+    <message>
+        <source>Since</source>
+        <translation>Возникло</translation>
+    </message>
+    <message>
+        <source>Sensor or port</source>
+        <translation>Датчик или порт</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>What has happened</source>
+        <translation>Что произошло</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Что делать</translation>
     </message>
 </context>
 <context>
@@ -1074,6 +2336,89 @@
     <message>
         <source>the file is far too large to be a configuration</source>
         <translation>файл слишком велик для файла настроек</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::DeskSentences</name>
+    <message>
+        <source>%1: serving on port %2.</source>
+        <translation>%1: сервер работает на порту %2.</translation>
+    </message>
+    <message>
+        <source>%1: stopped.</source>
+        <translation>%1: сервер остановлен.</translation>
+    </message>
+    <message>
+        <source>%1: cannot serve on port %2 (%3). %4 Trying again every %5 s.</source>
+        <translation>%1: порт %2 недоступен (%3). %4 Попытки повторяются каждые %5 с.</translation>
+    </message>
+    <message>
+        <source>Another program uses this port. Stop that program or choose another %1.</source>
+        <translation>Этот порт занят другой программой. Завершите её или выберите другой %1.</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need a right. Choose another %1, or give the right once: sudo setcap cap_net_bind_service=+ep %2</source>
+        <translation>Для портов ниже 1024 нужно право. Выберите другой %1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %2</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address given in ModbusBind.</source>
+        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
+    </message>
+    <message>
+        <source>Check %1 and ModbusBind.</source>
+        <translation>Проверьте %1 и ModbusBind.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
+        <translation>%1: «%2» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
+        <translation>%1: «%2» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
+    </message>
+    <message>
+        <source>%1: new clients cannot be accepted (%2). Those connected are served on. Trying again every second.</source>
+        <translation>%1: новые клиенты не принимаются (%2). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
+    </message>
+    <message>
+        <source>%1: new clients are accepted again.</source>
+        <translation>%1: новые клиенты снова принимаются.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 connected.</source>
+        <translation>%1: клиент %2 подключился.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 has not been here since %3.</source>
+        <translation>%1: клиента %2 не было с %3.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 (its port %3) was cut off by the operator.</source>
+        <translation>%1: клиент %2 (его порт %3) отключён оператором.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was refused: ModbusAllow does not list it.</source>
+        <translation>%1: клиенту %2 отказано: его нет в ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it does not speak %1 (wrong length of a request).</source>
+        <translation>%1: клиент %2 отключён: его запросы не по протоколу %1 (неверная длина).</translation>
+    </message>
+    <message>
+        <source>%1: client %2 sends what is no request (wrong length, address or command) and gets no answer.</source>
+        <translation>%1: клиент %2 присылает не запросы (неверная длина, адрес или команда), ответа на них нет.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asks and does not read the answers.</source>
+        <translation>%1: клиент %2 отключён: он запрашивает, но не читает ответы.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asked nothing for longer than ModbusIdle.</source>
+        <translation>%1: клиент %2 отключён: не было запросов дольше ModbusIdle.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
+        <translation>%1: клиент %2 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
     </message>
 </context>
 <context>
@@ -1352,6 +2697,18 @@
         <source>Information</source>
         <translation>Информация</translation>
     </message>
+    <message>
+        <source>Text of the event</source>
+        <translation>Текст события</translation>
+    </message>
+    <message>
+        <source>No event passes this filter.</source>
+        <translation>Нет событий, подходящих под этот фильтр.</translation>
+    </message>
+    <message>
+        <source>No events yet.</source>
+        <translation>Событий пока нет.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::LinePoller</name>
@@ -1469,8 +2826,24 @@
         <translation>&amp;О программе</translation>
     </message>
     <message>
+        <source>Messages for the &amp;dispatcher</source>
+        <translation>Сооб&amp;щения для диспетчера</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>О&amp;бновить</translation>
+    </message>
+    <message>
+        <source>Restore &amp;columns</source>
+        <translation>&amp;Восстановить столбцы</translation>
+    </message>
+    <message>
         <source>&amp;Service</source>
         <translation>С&amp;ервис</translation>
+    </message>
+    <message>
+        <source>Modbus &amp;register map…</source>
+        <translation>Карта &amp;регистров Modbus…</translation>
     </message>
 </context>
 <context>
@@ -1502,6 +2875,41 @@
     <message>
         <source>%1: status</source>
         <translation>%1: статус</translation>
+    </message>
+    <message>
+        <source>Time and date of the record</source>
+        <translation>Время и дата записи</translation>
+    </message>
+    <message>
+        <source>Status word of the channel, the first port at the right: 0 no errors, 1 cannot be opened, 2 write errors, 3 off or not there</source>
+        <translation>Слово состояния канала, первый порт справа: 0 — нет ошибок, 1 — не открывается, 2 — ошибки записи, 3 — опрос отключен или порта нет</translation>
+    </message>
+    <message>
+        <source>%1: angle along X, arc-seconds</source>
+        <translation>%1: угол наклона по X, угл. сек.</translation>
+    </message>
+    <message>
+        <source>%1: angle along Y, arc-seconds</source>
+        <translation>%1: угол наклона по Y, угл. сек.</translation>
+    </message>
+    <message>
+        <source>%1: temperature, °C; empty if the sensor has none</source>
+        <translation>%1: температура, °C; пусто, если датчик её не измеряет</translation>
+    </message>
+    <message>
+        <source>%1: power of the thermostat&apos;s heater, %</source>
+        <translation>%1: мощность нагревательного элемента термостата, %</translation>
+    </message>
+    <message>
+        <source>%1: status word, the code and bits 11…0</source>
+        <translation>%1: слово состояния датчика, код и биты 11…0</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::MeasurementsPage</name>
+    <message>
+        <source>No measurement yet: a line comes every %1 s.</source>
+        <translation>Измерений пока нет: строка добавляется каждые %1 с.</translation>
     </message>
 </context>
 <context>
@@ -1585,6 +2993,10 @@
         <source>--demo brings its own configuration; leave --config away</source>
         <translation>--demo использует свои настройки; уберите --config</translation>
     </message>
+    <message>
+        <source>Prints the Modbus registers of the configuration as Markdown.</source>
+        <translation>Печатает регистры Modbus этой конфигурации в формате Markdown.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::PortGroup</name>
@@ -1663,6 +3075,21 @@
         <source>Attempts</source>
         <translation>Попыток</translation>
     </message>
+    <message>
+        <source>Logical name of the port</source>
+        <translation>Логическое название порта</translation>
+    </message>
+    <message>
+        <source>Present state of the port</source>
+        <translation>Текущее состояние порта</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::PortsPage</name>
+    <message>
+        <source>The configuration file lists no ports.</source>
+        <translation>В файле настроек нет портов.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::PropertyModel</name>
@@ -1677,6 +3104,41 @@
     <message>
         <source>Note</source>
         <translation>Пояснение</translation>
+    </message>
+    <message>
+        <source>in the configuration file: %1</source>
+        <translation>в файле настроек: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::RegisterMapDialog</name>
+    <message>
+        <source>Modbus register map</source>
+        <translation>Карта регистров Modbus</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Копировать всё</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Save the register map</source>
+        <translation>Сохранение карты регистров</translation>
+    </message>
+    <message>
+        <source>Markdown (*.md)</source>
+        <translation>Markdown (*.md)</translation>
+    </message>
+    <message>
+        <source>The file cannot be saved.</source>
+        <translation>Не удалось сохранить файл.</translation>
     </message>
 </context>
 <context>
@@ -1745,10 +3207,6 @@
         <translation>Мощность нагревательного элемента термостата, %</translation>
     </message>
     <message>
-        <source>Status word of the sensor: the code, then bits 11…0</source>
-        <translation>Слово состояния датчика: код, затем биты 11…0</translation>
-    </message>
-    <message>
         <source>Sensor</source>
         <translation>Датчик</translation>
     </message>
@@ -1784,12 +3242,35 @@
         <source>Status</source>
         <translation>Статус</translation>
     </message>
+    <message>
+        <source>%1 arc-seconds</source>
+        <translation>%1 угл. сек.</translation>
+    </message>
+    <message>
+        <source>along X %1, along Y %2 mm/s²</source>
+        <translation>по X %1, по Y %2 мм/с²</translation>
+    </message>
+    <message>
+        <source>Logical name of the sensor: number, type, place, address</source>
+        <translation>Логическое название датчика: номер, тип, место установки, адрес</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SensorsPage</name>
+    <message>
+        <source>The configuration file lists no sensors.</source>
+        <translation>В файле настроек нет датчиков.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::SerialLine</name>
     <message>
         <source>there is no such device</source>
         <translation>нет такого устройства</translation>
+    </message>
+    <message>
+        <source>the adapter does not know RS485=1</source>
+        <translation>адаптер не поддерживает RS485=1</translation>
     </message>
 </context>
 <context>
@@ -1997,6 +3478,10 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <source>Find a sensor (Ctrl+F)</source>
         <translation>Найти датчик (Ctrl+F)</translation>
     </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Ничего не найдено</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::SiteTreeModel</name>
@@ -2097,8 +3582,20 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
 <context>
     <name>gorizont::TableView</name>
     <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Копировать</translation>
+        <source>Copy the &amp;cell</source>
+        <translation>Копировать &amp;ячейку</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;rows</source>
+        <translation>Копировать &amp;строки</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;table</source>
+        <translation>Копировать &amp;таблицу</translation>
+    </message>
+    <message>
+        <source>Restore the columns</source>
+        <translation>Восстановить столбцы</translation>
     </message>
 </context>
 <context>
@@ -2110,6 +3607,545 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>E&amp;xit</source>
         <translation>В&amp;ыход</translation>
+    </message>
+    <message>
+        <source>Messages for the dispatcher: %1</source>
+        <translation>Сообщений для диспетчера: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::tool::Text</name>
+    <message>
+        <source>address %1 is taken; nothing was changed</source>
+        <translation>адрес %1 занят; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>nothing was changed (%1)</source>
+        <translation>ничего не изменено (%1)</translation>
+    </message>
+    <message>
+        <source>the configuration of the sensor is not as expected; nothing was stored</source>
+        <translation>конфигурация датчика не такая, как ожидалось; ничего не записано</translation>
+    </message>
+    <message>
+        <source>nothing was stored (%1)</source>
+        <translation>ничего не записано (%1)</translation>
+    </message>
+    <message>
+        <source>whether the new address was stored is not known (%1); the old one holds until a restart</source>
+        <translation>неизвестно, записан ли новый адрес (%1); до сброса действует прежний</translation>
+    </message>
+    <message>
+        <source>the sensor restarts, about %1 s…</source>
+        <translation>датчик перезапускается, около %1 с…</translation>
+    </message>
+    <message>
+        <source>Store the address %2 in the sensor with address %1?</source>
+        <translation>Записать в датчик с адресом %1 новый адрес %2?</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>ничего не записано</translation>
+    </message>
+    <message>
+        <source>The address is stored. Restart the sensor, so that it holds?</source>
+        <translation>Адрес записан. Сбросить датчик, чтобы он подействовал?</translation>
+    </message>
+    <message>
+        <source>the new address is stored and holds after the next restart</source>
+        <translation>новый адрес записан и подействует после следующего сброса</translation>
+    </message>
+    <message>
+        <source>the new address is stored, but the sensor does not answer there (%1); scan the line</source>
+        <translation>новый адрес записан, но датчик по нему не отвечает (%1); выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>The sensor now answers at address %1.</source>
+        <translation>Датчик теперь отвечает по адресу %1.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor with address %1?</source>
+        <translation>Сбросить датчик с адресом %1?</translation>
+    </message>
+    <message>
+        <source>nothing was done</source>
+        <translation>ничего не сделано</translation>
+    </message>
+    <message>
+        <source>the sensor does not answer (%1)</source>
+        <translation>датчик не отвечает (%1)</translation>
+    </message>
+    <message>
+        <source>The sensor has restarted and answers.</source>
+        <translation>Датчик перезапустился и отвечает.</translation>
+    </message>
+    <message>
+        <source>Address: %1</source>
+        <translation>Адрес: %1</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, build %2</source>
+        <translation>Прошивка: %1, сборка %2</translation>
+    </message>
+    <message>
+        <source>Tilt X: %1″</source>
+        <translation>Угол X: %1″</translation>
+    </message>
+    <message>
+        <source>Tilt Y: %1″</source>
+        <translation>Угол Y: %1″</translation>
+    </message>
+    <message>
+        <source>Temperature: %1 °C</source>
+        <translation>Температура: %1 °C</translation>
+    </message>
+    <message>
+        <source>Fan: %1 1/s</source>
+        <translation>Вентилятор: %1 1/с</translation>
+    </message>
+    <message>
+        <source>Heater: %1 %</source>
+        <translation>Нагрев: %1 %</translation>
+    </message>
+    <message>
+        <source>Measurements since the start: %1</source>
+        <translation>Измерений с запуска: %1</translation>
+    </message>
+    <message>
+        <source>Configuration: %1</source>
+        <translation>Конфигурация: %1</translation>
+    </message>
+    <message>
+        <source>firmware %1, build %2</source>
+        <translation>прошивка %1, сборка %2</translation>
+    </message>
+    <message>
+        <source>looks for sensors at the addresses 1…255</source>
+        <translation>ищет датчики по адресам 1…255</translation>
+    </message>
+    <message>
+        <source>prints what the sensor measures</source>
+        <translation>печатает измерения датчика</translation>
+    </message>
+    <message>
+        <source>prints what the sensor is and its settings</source>
+        <translation>печатает сведения о датчике и его настройки</translation>
+    </message>
+    <message>
+        <source>gives the sensor another address; an АН-Д3 is restarted</source>
+        <translation>меняет адрес датчика; АН-Д3 при этом сбрасывается</translation>
+    </message>
+    <message>
+        <source>writes the name, at most 16 characters; not in Modbus</source>
+        <translation>записывает имя, не больше 16 символов; не в Modbus</translation>
+    </message>
+    <message>
+        <source>writes the zero offset, arc-seconds</source>
+        <translation>записывает смещение нуля, угловые секунды</translation>
+    </message>
+    <message>
+        <source>writes the averaging: --ticks, --period or both</source>
+        <translation>записывает усреднение: --ticks, --period или оба</translation>
+    </message>
+    <message>
+        <source>restarts the controller of an АН-Д3, about 5 s</source>
+        <translation>сбрасывает контроллер АН-Д3, около 5 с</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>имя</translation>
+    </message>
+    <message>
+        <source>zero offset</source>
+        <translation>смещение нуля</translation>
+    </message>
+    <message>
+        <source>averaging ticks</source>
+        <translation>такты усреднения</translation>
+    </message>
+    <message>
+        <source>averaging period</source>
+        <translation>период усреднения</translation>
+    </message>
+    <message>
+        <source>%1: written and read back</source>
+        <translation>%1: значение записано и проверено чтением</translation>
+    </message>
+    <message>
+        <source>%1: the sensor has not taken the new value</source>
+        <translation>%1: датчик не принял новое значение</translation>
+    </message>
+    <message>
+        <source>%1: not written (%2)</source>
+        <translation>%1: не записано (%2)</translation>
+    </message>
+    <message>
+        <source>address %1 is taken, or the sensor refuses it; nothing was changed</source>
+        <translation>адрес %1 занят, или датчик его не принимает; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>the sensor still answers at address %1</source>
+        <translation>датчик по-прежнему отвечает по адресу %1</translation>
+    </message>
+    <message>
+        <source>no answer, neither at address %1 nor at %2; scan the line</source>
+        <translation>нет ответа ни по адресу %1, ни по адресу %2; выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>what became of the address is not known (%1); scan the line</source>
+        <translation>неизвестно, сменился ли адрес (%1); выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>Give the sensor with address %1 the address %2?</source>
+        <translation>Записать в датчик с адресом %1 новый адрес %2?</translation>
+    </message>
+    <message>
+        <source>Write the name &quot;%1&quot; to the sensor with address %2?</source>
+        <translation>Записать имя «%1» в датчик с адресом %2?</translation>
+    </message>
+    <message>
+        <source>Write the zero offset X %1″, Y %2″ to the sensor with address %3?</source>
+        <translation>Записать смещение нуля X %1″, Y %2″ в датчик с адресом %3?</translation>
+    </message>
+    <message>
+        <source>ticks: %1</source>
+        <translation>тактов: %1</translation>
+    </message>
+    <message>
+        <source>period: %1 ms</source>
+        <translation>период: %1 мс</translation>
+    </message>
+    <message>
+        <source>Write the averaging (%1) to the sensor with address %2?</source>
+        <translation>Записать усреднение (%1) в датчик с адресом %2?</translation>
+    </message>
+    <message>
+        <source>wrong check sum of the program</source>
+        <translation>неверная контрольная сумма программы</translation>
+    </message>
+    <message>
+        <source>wrong check sum of the settings</source>
+        <translation>неверная контрольная сумма настроек</translation>
+    </message>
+    <message>
+        <source>wrong check sums of program and settings</source>
+        <translation>неверные контрольные суммы программы и настроек</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>Имя: %1</translation>
+    </message>
+    <message>
+        <source>Speed: %1</source>
+        <translation>Скорость обмена: %1</translation>
+    </message>
+    <message>
+        <source>Version: %1</source>
+        <translation>Версия измерителя: %1</translation>
+    </message>
+    <message>
+        <source>Software revision: %1 (type %2, revision %3)</source>
+        <translation>Номер редакции ПО: %1 (тип %2, редакция %3)</translation>
+    </message>
+    <message>
+        <source>Serial number: %1</source>
+        <translation>Заводской номер: %1</translation>
+    </message>
+    <message>
+        <source>Zero offset X: %1″</source>
+        <translation>Смещение нуля X: %1″</translation>
+    </message>
+    <message>
+        <source>Zero offset Y: %1″</source>
+        <translation>Смещение нуля Y: %1″</translation>
+    </message>
+    <message>
+        <source>Averaging ticks: %1</source>
+        <translation>Тактов усреднения: %1</translation>
+    </message>
+    <message>
+        <source>Averaging period: %1 ms</source>
+        <translation>Период усреднения: %1 мс</translation>
+    </message>
+    <message>
+        <source>Self-test: %1</source>
+        <translation>Самопроверка: %1</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>№ %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal to ask at; nothing was written. --yes writes without asking</source>
+        <translation>спросить не у кого: ввод не с терминала; ничего не записано. С --yes запись идёт без вопроса</translation>
+    </message>
+    <message>
+        <source>--%1 takes %2, not &quot;%3&quot;</source>
+        <translation>--%1: нужно %2, а не «%3»</translation>
+    </message>
+    <message>
+        <source>a command is missing; --help lists them</source>
+        <translation>не указана команда; список — в --help</translation>
+    </message>
+    <message>
+        <source>there is no command &quot;%1&quot;; --help lists them</source>
+        <translation>нет команды «%1»; список — в --help</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>after %1 comes %2</source>
+        <translation>после %1 должно стоять: %2</translation>
+    </message>
+    <message>
+        <source>%1 does not take --%2</source>
+        <translation>у команды %1 нет параметра --%2</translation>
+    </message>
+    <message>
+        <source>--device is missing</source>
+        <translation>не указан --device</translation>
+    </message>
+    <message>
+        <source>--type is missing</source>
+        <translation>не указан --type</translation>
+    </message>
+    <message>
+        <source>%1 does not have the command %2</source>
+        <translation>у %1 нет команды %2</translation>
+    </message>
+    <message>
+        <source>only ind3 has a --protocol</source>
+        <translation>--protocol есть только у ind3</translation>
+    </message>
+    <message>
+        <source>--address is missing</source>
+        <translation>не указан --address</translation>
+    </message>
+    <message>
+        <source>protocol 2.10 has no settings: only scan and read</source>
+        <translation>в протоколе 2.10 нет настроек: только scan и read</translation>
+    </message>
+    <message>
+        <source>--from is after --to</source>
+        <translation>--from больше --to</translation>
+    </message>
+    <message>
+        <source>--ticks or --period is missing</source>
+        <translation>не указан ни --ticks, ни --period</translation>
+    </message>
+    <message>
+        <source>an address is 1…255, not &quot;%1&quot;</source>
+        <translation>адрес — число 1…255, а не «%1»</translation>
+    </message>
+    <message>
+        <source>there is no name in Modbus</source>
+        <translation>в Modbus имени нет</translation>
+    </message>
+    <message>
+        <source>a name has 1…16 characters of Windows-1251: &quot;%1&quot; does not</source>
+        <translation>имя — 1…16 символов Windows-1251, «%1» не подходит</translation>
+    </message>
+    <message>
+        <source>an offset is two numbers of arc-seconds, not &quot;%1&quot;</source>
+        <translation>смещение — два числа в угловых секундах, а не «%1»</translation>
+    </message>
+    <message>
+        <source>%1  somebody answers, but not clearly (%2); two sensors with one address?</source>
+        <translation>%1  кто-то отвечает, но неразборчиво (%2); два датчика с одним адресом?</translation>
+    </message>
+    <message numerus="yes">
+        <source>address %1, %n sensor(s) found</source>
+        <translation>
+            <numerusform>адрес %1, найден %n датчик</numerusform>
+            <numerusform>адрес %1, найдено %n датчика</numerusform>
+            <numerusform>адрес %1, найдено %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its settings cannot be read</source>
+        <translation>настройки не читаются</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) found</source>
+        <translation>
+            <numerusform>найден %n датчик</numerusform>
+            <numerusform>найдено %n датчика</numerusform>
+            <numerusform>найдено %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) asked</source>
+        <translation>
+            <numerusform>опрошен %n адрес</numerusform>
+            <numerusform>опрошено %n адреса</numerusform>
+            <numerusform>опрошено %n адресов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer from address %1</source>
+        <translation>нет ответа с адреса %1</translation>
+    </message>
+    <message>
+        <source>only damaged answers from address %1</source>
+        <translation>с адреса %1 приходят только повреждённые ответы</translation>
+    </message>
+    <message>
+        <source>the answers from address %1 make no sense</source>
+        <translation>ответы с адреса %1 не имеют смысла</translation>
+    </message>
+    <message>
+        <source>the sensor with address %1 refuses</source>
+        <translation>датчик с адресом %1 отказывает</translation>
+    </message>
+    <message>
+        <source>the port is lost: %1</source>
+        <translation>порт потерян: %1</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>прервано</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>нет ответа</translation>
+    </message>
+    <message>
+        <source>damaged answers</source>
+        <translation>повреждённые ответы</translation>
+    </message>
+    <message>
+        <source>answers without sense</source>
+        <translation>ответы без смысла</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>the port is lost</source>
+        <translation>порт потерян</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what is not known is null:
+  every one      type (ind3, and3), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (arc-seconds),
+                 ticks, period (ms), selfTest; and3: firmware, build, configuration (hexadecimal)
+                 and the keys of read
+  read           time (UTC), tiltX, tiltY (arc-seconds); and3: temperature (°C), fanFrequency (1/s),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress
+  a failure      fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, один объект в строке; неизвестное — null:
+  каждый         type (ind3, and3), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (угловые секунды),
+                 ticks, period (мс), selfTest; and3: firmware, build, configuration (шестнадцатеричная)
+                 и ключи read
+  read           time (UTC), tiltX, tiltY (угловые секунды); and3: temperature (°C), fanFrequency (1/с),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; у адреса: newAddress
+  неудача        fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>Finds, reads and sets ИН-Д3 and АН-Д3 sensors on a serial line. The line must not be open in another program.</source>
+        <translation>Ищет, читает и настраивает датчики ИН-Д3 и АН-Д3 на последовательной линии. Линия не должна быть открыта в другой программе.</translation>
+    </message>
+    <message>
+        <source>Commands:</source>
+        <translation>Команды:</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 refused by the sensor or by the user; 2 the command line is wrong; 3 no answer, or the port cannot be opened.</source>
+        <translation>Коды завершения: 0 — сделано; 1 — отказ датчика или пользователя; 2 — ошибка в командной строке; 3 — нет ответа или порт не открывается.</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>Примеры:</translation>
+    </message>
+    <message>
+        <source>One of the commands above.</source>
+        <translation>Одна из команд выше.</translation>
+    </message>
+    <message>
+        <source>The port.</source>
+        <translation>Порт.</translation>
+    </message>
+    <message>
+        <source>Speed; 115200 if not given. An ИН-Д3 comes with 9600 from the factory.</source>
+        <translation>Скорость; по умолчанию 115200. ИН-Д3 с завода — 9600.</translation>
+    </message>
+    <message>
+        <source>Parity; none if not given.</source>
+        <translation>Чётность; по умолчанию нет.</translation>
+    </message>
+    <message>
+        <source>Stop bits; 1 if not given.</source>
+        <translation>Стоповые биты; по умолчанию 1.</translation>
+    </message>
+    <message>
+        <source>The driver of the adapter switches the direction (RS485=1 in the ini).</source>
+        <translation>Направление переключает драйвер адаптера (RS485=1 в ini).</translation>
+    </message>
+    <message>
+        <source>Type of the sensor; needed where both have the command.</source>
+        <translation>Тип датчика; нужен, если команда есть у обоих.</translation>
+    </message>
+    <message>
+        <source>What an ИН-Д3 speaks; 2.11 if not given.</source>
+        <translation>Протокол ИН-Д3; по умолчанию 2.11.</translation>
+    </message>
+    <message>
+        <source>Address of the sensor, 1…255.</source>
+        <translation>Адрес датчика, 1…255.</translation>
+    </message>
+    <message>
+        <source>How long one answer is waited for; 200 if not given. It is asked for up to three times.</source>
+        <translation>Сколько ждать одного ответа; по умолчанию 200. Запрос повторяется до трёх раз.</translation>
+    </message>
+    <message>
+        <source>scan: the first address.</source>
+        <translation>scan: первый адрес.</translation>
+    </message>
+    <message>
+        <source>scan: the last address.</source>
+        <translation>scan: последний адрес.</translation>
+    </message>
+    <message>
+        <source>read: how many times; 0: until Ctrl+C. Once if not given.</source>
+        <translation>read: сколько раз; 0 — до Ctrl+C. По умолчанию один раз.</translation>
+    </message>
+    <message>
+        <source>read: from one to the next; 1000 if not given.</source>
+        <translation>read: от одного чтения до следующего; по умолчанию 1000.</translation>
+    </message>
+    <message>
+        <source>set-averaging: ticks.</source>
+        <translation>set-averaging: такты.</translation>
+    </message>
+    <message>
+        <source>set-averaging: period.</source>
+        <translation>set-averaging: период.</translation>
+    </message>
+    <message>
+        <source>Writes without asking.</source>
+        <translation>Запись без вопроса.</translation>
+    </message>
+    <message>
+        <source>Prints JSON.</source>
+        <translation>Печатает JSON.</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Язык программы.</translation>
+    </message>
+    <message>
+        <source>Prints this.</source>
+        <translation>Печатает эту справку.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Печатает версию.</translation>
     </message>
 </context>
 </TS>

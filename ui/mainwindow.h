@@ -18,7 +18,9 @@ class QTimer;
 
 namespace gorizont {
 
+class AlarmWatch;
 class AttentionBanner;
+class AttentionDialog;
 class InfoPanel;
 class SiteTree;
 class StatePanel;
@@ -30,10 +32,10 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    /// Registry and journal outlive the window.
+    /// Registry, journal and alarms outlive the window.
     MainWindow(
-        SensorRegistry &registry, Journal &journal, const ServerConfig &config, const QList<Complaint> &complaints,
-        QWidget *parent = nullptr);
+        SensorRegistry &registry, Journal &journal, AlarmWatch &alarms, const ServerConfig &config,
+        const QList<Complaint> &complaints, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     /// CanHide=1: stays in the tray, or starts minimised where there is no tray.
@@ -53,12 +55,20 @@ public Q_SLOTS:
     /// State of the Modbus server for the status bar.
     void setServerStatus(const QString &text);
     void raiseWindow();
+    /// The list of messages for the dispatcher.
+    void showAttention();
     /// Hides a window that is seen, brings back one that is not.
     void toggle();
+    /// Ends the program as the system asks for it: whatever CanClose says, nobody is asked.
+    void endWithoutQuestion();
 
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
+    /// F5: ports that are gone or parked sensors are to be tried at once.
+    void retryRequested();
+    /// The user wants to see the register map; who makes the window knows it.
+    void registerMapRequested();
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -69,6 +79,7 @@ protected:
 private:
     void buildPanels(Journal &journal);
     void buildMenus();
+    void buildViewMenu();
     void buildStatusBar();
     int selectedLine() const; ///< index of the port that is selected or has the selected sensor; −1: none
     QAction *addGoAction(QMenu *menu, const QString &title, int digit, const std::function<void()> &go);
@@ -76,6 +87,8 @@ private:
     void saveLayout() const;
 
     void refresh();
+    void retry();
+    void restoreColumns();
     void updateRefreshing();
     void showItem(SiteItem item);
     void goToPort();
@@ -84,12 +97,14 @@ private:
     void askExit();
 
     SensorRegistry &m_registry;
+    AlarmWatch &m_alarms;
     const ServerConfig m_config;
     QList<Complaint> m_complaints; ///< not shown yet
     QPointer<QMessageBox> m_exitQuestion; ///< while it waits for an answer
 
     SiteTree *m_tree = nullptr;
     AttentionBanner *m_banner = nullptr;
+    AttentionDialog *m_attention = nullptr; ///< made when it is first wanted
     StatePanel *m_state = nullptr;
     InfoPanel *m_info = nullptr;
     QSplitter *m_columns = nullptr;

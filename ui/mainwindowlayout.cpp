@@ -4,6 +4,9 @@
 #include "ui/attentionbanner.h"
 #include "ui/infopanel.h"
 #include "ui/mainwindow.h"
+#include "ui/pages/columnlayout.h"
+#include "ui/pages/tablecolumns.h"
+#include "ui/pages/tableview.h"
 #include "ui/sitetree.h"
 #include "ui/statepanel.h"
 
@@ -21,7 +24,7 @@ namespace gorizont {
 
 namespace {
 
-/// Where the window was and how it was divided: nothing else is kept outside the ini.
+/// Where the window was, how it was divided, and the columns of its tables: nothing else is kept outside the ini.
 QSettings windowSettings()
 {
     const QString name = QStringLiteral("Gorizont Server");
@@ -33,7 +36,7 @@ QSettings windowSettings()
 void MainWindow::buildPanels(Journal &journal)
 {
     m_tree = new SiteTree(m_registry, this);
-    m_banner = new AttentionBanner(this);
+    m_banner = new AttentionBanner(m_alarms, this);
     m_state = new StatePanel(m_registry, this);
     m_info = new InfoPanel(m_registry, journal, m_config, this);
     m_rows = new QSplitter(Qt::Vertical, this);
@@ -74,6 +77,17 @@ void MainWindow::buildMenus()
     exit->setObjectName(QStringLiteral("exitAction"));
     exit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
 
+    buildViewMenu();
+
+    QMenu *help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("Modbus &register map…"), this, &MainWindow::registerMapRequested)
+        ->setObjectName(QStringLiteral("registerMapAction"));
+    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
+    about->setObjectName(QStringLiteral("aboutAction"));
+}
+
+void MainWindow::buildViewMenu()
+{
     QMenu *view = menuBar()->addMenu(tr("&View"));
     addGoAction(view, tr("&Ports"), 1, [this] {
         select(SiteItem::server());
@@ -89,14 +103,16 @@ void MainWindow::buildMenus()
     addGoAction(view, tr("Se&ttings"), 5, [this] { m_info->setCurrentIndex(0); });
     addGoAction(view, tr("&Measurements"), 6, [this] { m_info->setCurrentIndex(1); });
     addGoAction(view, tr("&Journal"), 7, [this] { m_info->setCurrentIndex(2); });
+    addGoAction(view, tr("Messages for the &dispatcher"), 8, [this] { showAttention(); });
     view->addSeparator();
     QAction *find = view->addAction(tr("&Find a sensor"), m_tree, &SiteTree::startSearch);
     find->setObjectName(QStringLiteral("findAction"));
     find->setShortcut(QKeySequence::Find);
-
-    QMenu *help = menuBar()->addMenu(tr("&Help"));
-    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
-    about->setObjectName(QStringLiteral("aboutAction"));
+    QAction *refresh = view->addAction(tr("&Refresh"), this, &MainWindow::retry);
+    refresh->setObjectName(QStringLiteral("refreshAction"));
+    refresh->setShortcut(QKeySequence(Qt::Key_F5));
+    QAction *restore = view->addAction(tr("Restore &columns"), this, &MainWindow::restoreColumns);
+    restore->setObjectName(QStringLiteral("restoreAllColumnsAction"));
 }
 
 int MainWindow::selectedLine() const
@@ -146,13 +162,22 @@ void MainWindow::buildStatusBar()
 
 void MainWindow::restoreLayout()
 {
-    resize(QSize(1340, 800).boundedTo(screen()->availableSize()));
+    const QSize frame(20, 50); // of the window manager, which nobody knows before the window is shown
+    resize(QSize(1340, 800).boundedTo(screen()->availableSize() - frame));
     m_columns->setSizes({310, 1030});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     m_columns->restoreState(settings.value(QStringLiteral("window/columns")).toByteArray());
     m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
+    if (settings.value(QStringLiteral("window/showsSensors")).toBool()) {
+        m_state->showSensors();
+    }
+    m_info->setCurrentIndex(settings.value(QStringLiteral("window/infoTab")).toInt());
+    for (const TableView *table : findChildren<TableView *>()) {
+        const int columns = table->model()->columnCount();
+        table->columns().setLayout(readColumnLayout(settings, table->objectName(), columns));
+    }
 }
 
 void MainWindow::saveLayout() const
@@ -161,6 +186,19 @@ void MainWindow::saveLayout() const
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/columns"), m_columns->saveState());
     settings.setValue(QStringLiteral("window/rows"), m_rows->saveState());
+    settings.setValue(QStringLiteral("window/showsSensors"), m_state->isShowingSensors());
+    settings.setValue(QStringLiteral("window/infoTab"), m_info->currentIndex());
+    for (const TableView *table : findChildren<TableView *>()) {
+        const int columns = table->model()->columnCount();
+        writeColumnLayout(settings, table->objectName(), columns, table->columns().layout());
+    }
+}
+
+void MainWindow::restoreColumns()
+{
+    for (const TableView *table : findChildren<TableView *>()) {
+        table->columns().restore();
+    }
 }
 
 } // namespace gorizont

@@ -5,6 +5,8 @@
 #include "ui/pages/propertiespage.h"
 #include "ui/pages/sensorspage.h"
 
+#include <QScopedValueRollback>
+
 namespace gorizont {
 
 StatePanel::StatePanel(const SensorRegistry &registry, QWidget *parent)
@@ -23,17 +25,29 @@ StatePanel::StatePanel(const SensorRegistry &registry, QWidget *parent)
     addTab(m_sensor, tr("Sensor"));
     connect(m_ports, &PortsPage::chosen, this, &StatePanel::chosen);
     connect(m_sensors, &SensorsPage::chosen, this, &StatePanel::chosen);
-    connect(this, &QTabWidget::currentChanged, this, [this] { refresh(true); });
+    connect(this, &QTabWidget::currentChanged, this, &StatePanel::onTabChanged);
     setItem(SiteItem::server());
+}
+
+void StatePanel::onTabChanged()
+{
+    if (m_item.kind == SiteItem::Kind::Server && !m_isChangingItem) {
+        m_isShowingSensors = currentWidget() == m_sensors;
+    }
+    refresh(true);
 }
 
 void StatePanel::setItem(SiteItem item)
 {
+    const QScopedValueRollback guard(m_isChangingItem, true);
     m_item = item;
     setTabVisible(indexOf(m_ports), item.kind == SiteItem::Kind::Server);
     setTabVisible(indexOf(m_sensors), item.kind == SiteItem::Kind::Server);
     setTabVisible(indexOf(m_port), item.kind == SiteItem::Kind::Line);
     setTabVisible(indexOf(m_sensor), item.kind == SiteItem::Kind::Sensor);
+    if (item.kind == SiteItem::Kind::Server) {
+        setCurrentWidget(m_isShowingSensors ? static_cast<QWidget *>(m_sensors) : m_ports);
+    }
     refresh(true);
 }
 
@@ -57,18 +71,18 @@ void StatePanel::refresh(bool hasReadings)
 
 void StatePanel::showPorts()
 {
-    setCurrentWidget(m_ports);
+    m_isShowingSensors = false;
+    if (m_item.kind == SiteItem::Kind::Server) {
+        setCurrentWidget(m_ports);
+    }
 }
 
 void StatePanel::showSensors()
 {
-    setCurrentWidget(m_sensors);
-}
-
-void StatePanel::showWorstSensors()
-{
-    showSensors();
-    m_sensors->sortByStatus();
+    m_isShowingSensors = true;
+    if (m_item.kind == SiteItem::Kind::Server) {
+        setCurrentWidget(m_sensors);
+    }
 }
 
 } // namespace gorizont

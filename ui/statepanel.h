@@ -25,16 +25,21 @@ public:
     /// Draws the tab that is seen. \a hasReadings: values have changed since the last call.
     void refresh(bool hasReadings);
 
+    /// Of the two tabs of the server, also while something else is selected.
+    bool isShowingSensors() const { return m_isShowingSensors; }
     void showPorts();
     void showSensors();
-    void showWorstSensors();
 
 Q_SIGNALS:
     void chosen(gorizont::SiteItem item);
 
 private:
+    void onTabChanged();
+
     const SensorRegistry &m_registry;
     SiteItem m_item;
+    bool m_isShowingSensors = false; ///< the tab of the server seen last
+    bool m_isChangingItem = false; ///< tabs come and go: it is not the user who chooses one
     PortsPage *m_ports;
     SensorsPage *m_sensors;
     PropertiesPage *m_port;

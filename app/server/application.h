@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/server/acquisition.h"
+#include "core/alarms/alarmwatch.h"
 #include "core/config/serverconfig.h"
 
 #include <QModbusDevice>
@@ -11,6 +12,7 @@
 
 namespace gorizont {
 
+class Adc24Server;
 class HistoryWriter;
 class ModbusServer;
 class ReadingPrinter;
@@ -38,13 +40,16 @@ public:
 
     SensorRegistry &registry() { return m_registry; }
     Journal &journal() { return m_journal; }
+    AlarmWatch &alarms() { return m_alarms; }
     /// The worker of section [Port\a port]; null when the port is off.
     LineWorker *worker(int port) const { return m_acquisition.worker(port); }
+    /// Opens ports that wait and asks sensors that are parked, at once.
+    void retryLines() { m_acquisition.retry(); }
 
     void start();
 
-    /// Stop timers → interrupt lines → quit → wait (PExit) → flush storage. False: a thread did not end in time and the
-    /// process has to end hard. The second call does nothing.
+    /// Stop timers → interrupt lines → quit → flush storage → wait, all within PExit. False: a thread did not end in time
+    /// and the process has to end hard. The second call does nothing.
     bool shutdown();
 
 Q_SIGNALS:
@@ -56,20 +61,22 @@ Q_SIGNALS:
 private:
     void makeHistory();
     void makeModbus();
+    void makeAdc24();
     void makePrinter();
     void tellComplaints();
     QString modbusText(QModbusDevice::State state) const;
-    bool endThread(QThread &thread, const QDeadlineTimer &deadline);
 
     ApplicationSettings m_settings;
     SensorRegistry m_registry;
     Journal m_journal;
+    AlarmWatch m_alarms;
     Acquisition m_acquisition;
     QThread m_storageThread;
     QThread m_serversThread;
     QThread m_printerThread;
     std::unique_ptr<HistoryWriter> m_history;
     std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
+    std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer
     std::unique_ptr<ReadingPrinter> m_printer; ///< empty: without --print-readings
     bool m_isRunning = false;
 };

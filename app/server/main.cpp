@@ -3,9 +3,11 @@
 #include "app/server/singleinstance.h"
 #include "app/server/startup.h"
 #include "app/unixsignals.h"
+#include "core/modbus/registerdocument.h"
 #include "translations/translation.h"
 #include "ui/firstrundialog.h"
 #include "ui/mainwindow.h"
+#include "ui/registermapdialog.h"
 #include "ui/trayicon.h"
 
 #include <QApplication>
@@ -26,7 +28,7 @@ class Main
 /// Whether \a arguments ask for something that needs no window; known before anything is parsed.
 bool needsNoWindow(int argc, char **argv)
 {
-    static const QByteArrayList words{"--headless", "--help", "--version"};
+    static const QByteArrayList words{"--headless", "--help", "--version", "--print-register-map"};
     for (int i = 1; i < argc; ++i) {
         if (words.contains(QByteArray(argv[i]))) {
             return true;
@@ -95,14 +97,21 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
 {
     QApplication::setQuitOnLastWindowClosed(false);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gorizont.svg")));
-    MainWindow window(application.registry(), application.journal(), site.reading.config, site.reading.complaints);
+    MainWindow window(
+        application.registry(), application.journal(), application.alarms(), site.reading.config,
+        site.reading.complaints);
     window.offerService([&application](int port) { return application.worker(port); }, application.journal());
-    const TrayIcon tray(window, application.registry());
+    const TrayIcon tray(window, application.registry(), application.alarms());
+    QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
+    QObject::connect(&window, &MainWindow::registerMapRequested, &window, [&window, &site] {
+        (new RegisterMapDialog(registerDocument(site.reading.config), &window))->show();
+    });
     QObject::connect(&window, &MainWindow::exitRequested, QCoreApplication::instance(), &QCoreApplication::quit);
-    QObject::connect(&signals_, &UnixSignals::terminated, QCoreApplication::instance(), &QCoreApplication::quit);
+    // Not quit() alone: that asks the windows, and CanClose=0 would ask the user.
+    QObject::connect(&signals_, &UnixSignals::terminated, &window, &MainWindow::endWithoutQuestion);
     application.start();
     window.showAtStart();
     return QApplication::exec();
@@ -146,6 +155,31 @@ int runSite(const Options &options, Site site)
     return code;
 }
 
+/// The language of the ini, unless the command line chose one. Whether that changed the language.
+bool followLanguage(const Options &options, const ServerConfig &config)
+{
+    const bool decides = options.language.isEmpty() && !config.language.isEmpty();
+    if (decides) {
+        installTranslation(config.language);
+    }
+    return decides;
+}
+
+int printRegisterMap(const Options &options, const QString &configFile)
+{
+    QString problem;
+    const auto reading = loadConfig(configFile, &problem);
+    if (!reading) {
+        return fail(problem, options);
+    }
+    followLanguage(options, reading->config);
+    const QByteArray text = registerDocument(reading->config).toUtf8();
+    const bool isWritten = std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stdout)
+            == static_cast<std::size_t>(text.size())
+        && std::fflush(stdout) == 0;
+    return isWritten ? ExitGood : ExitFailed;
+}
+
 int run(Options options)
 {
     QString configFile = findConfigFile(options);
@@ -160,10 +194,12 @@ int run(Options options)
             return ExitGood;
         }
     }
+    if (options.printsRegisterMap) {
+        return printRegisterMap(options, configFile);
+    }
     QString problem;
     auto site = loadSite(options, configFile, &problem);
-    if (site && options.language.isEmpty() && !site->reading.config.language.isEmpty()) {
-        installTranslation(site->reading.config.language);
+    if (site && followLanguage(options, site->reading.config)) {
         site = loadSite(options, configFile, &problem); // again, so that its complaints are in that language
     }
     return site ? runSite(options, *std::move(site)) : fail(problem, options);

@@ -28,6 +28,7 @@ void addOptions(QCommandLineParser &parser)
     add(u"demo"_s, OptionsText::tr("A simulated building, no files to prepare."));
     add(u"lang"_s, OptionsText::tr("Language of the program."), u"ru|en"_s);
     add(u"print-readings"_s, OptionsText::tr("Prints each new reading as one line of JSON."));
+    add(u"print-register-map"_s, OptionsText::tr("Prints the Modbus registers of the configuration as Markdown."));
     add(u"help"_s, OptionsText::tr("Prints this."));
     add(u"version"_s, OptionsText::tr("Prints the version."));
 }
@@ -74,7 +75,8 @@ std::variant<Options, LastWords> parseOptions(const QStringList &arguments)
         options.portsFolder = QDir(parser.value(QStringLiteral("ports"))).absolutePath();
     }
     options.language = parser.value(QStringLiteral("lang"));
-    options.isHeadless = parser.isSet(QStringLiteral("headless"));
+    options.printsRegisterMap = parser.isSet(QStringLiteral("print-register-map"));
+    options.isHeadless = options.printsRegisterMap || parser.isSet(QStringLiteral("headless"));
     options.isDemo = parser.isSet(QStringLiteral("demo"));
     options.printsReadings = parser.isSet(QStringLiteral("print-readings"));
     return options;

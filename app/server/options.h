@@ -17,6 +17,7 @@ struct Options
     bool isHeadless = false;
     bool isDemo = false;
     bool printsReadings = false;
+    bool printsRegisterMap = false; ///< nothing but that; headless is set too
 };
 
 /// What there is to say before the program ends: help, version, or a usage error.

@@ -52,14 +52,22 @@ QString findConfigFile(const Options &options)
     return {};
 }
 
-std::optional<Site> loadSite(const Options &options, const QString &configFile, QString *problem)
+std::optional<ConfigReading> loadConfig(const QString &configFile, QString *problem)
 {
-    Site site;
     QString why;
     auto reading = readConfigFile(configFile, &why);
     if (!reading) {
         *problem = Startup::tr("%1 cannot be read (%2). Check the name and the rights of the file.")
                        .arg(QDir::toNativeSeparators(configFile), why);
+    }
+    return reading;
+}
+
+std::optional<Site> loadSite(const Options &options, const QString &configFile, QString *problem)
+{
+    Site site;
+    auto reading = loadConfig(configFile, problem);
+    if (!reading) {
         return std::nullopt;
     }
     site.reading = *std::move(reading);

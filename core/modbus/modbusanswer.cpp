@@ -34,23 +34,31 @@ void appendException(AnswerBuffer &answers, const MbapFrame &request, QModbusPdu
     pdu[1] = static_cast<char>(code);
 }
 
-void appendRegisters(AnswerBuffer &answers, const MbapFrame &request, QByteArrayView registers)
+/// Returns where the registers are in the answer.
+char *appendRegisters(AnswerBuffer &answers, const MbapFrame &request, QByteArrayView registers)
 {
     char *pdu = appendHeader(answers, request, 2 + registers.size());
     pdu[0] = request.pdu.front();
     pdu[1] = static_cast<char>(registers.size());
     std::memcpy(pdu + 2, registers.data(), static_cast<std::size_t>(registers.size()));
+    return pdu + 2;
+}
+
+bool isServed(const UnitLayout &layout, quint8 function)
+{
+    return function == QModbusPdu::ReadInputRegisters
+        || (layout.isHolding && function == QModbusPdu::ReadHoldingRegisters);
 }
 
 /// Returns whether the answer carries registers, not an exception.
 bool answer(const MbapFrame &request, const UnitImages &images, AnswerBuffer &answers)
 {
-    const RegisterBlock *block = images.inputRegisters(request.unit);
-    if (block == nullptr) {
+    const UnitImage *image = images.unit(request.unit);
+    if (image == nullptr) {
         appendException(answers, request, QModbusPdu::GatewayTargetDeviceFailedToRespond);
         return false;
     }
-    if (byteAt(request.pdu, 0) != QModbusPdu::ReadInputRegisters) {
+    if (!isServed(image->layout(), byteAt(request.pdu, 0))) {
         appendException(answers, request, QModbusPdu::IllegalFunction);
         return false;
     }
@@ -60,12 +68,15 @@ bool answer(const MbapFrame &request, const UnitImages &images, AnswerBuffer &an
         appendException(answers, request, QModbusPdu::IllegalDataValue);
         return false;
     }
-    const std::optional<QByteArrayView> registers = block->registers(address, quantity);
+    const std::optional<QByteArrayView> registers = image->block().registers(address, quantity);
     if (!registers) {
         appendException(answers, request, QModbusPdu::IllegalDataAddress);
         return false;
     }
-    appendRegisters(answers, request, *registers);
+    char *copied = appendRegisters(answers, request, *registers);
+    if (image->hasClocks()) {
+        image->writeClocks(copied, address, quantity, Moment::now());
+    }
     return true;
 }
 

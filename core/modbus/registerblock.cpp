@@ -1,6 +1,6 @@
 #include "core/modbus/registerblock.h"
 
-#include <QtEndian>
+#include <cstring>
 
 namespace gorizont {
 
@@ -19,22 +19,12 @@ std::optional<QByteArrayView> RegisterBlock::registers(int address, int count) c
     return QByteArrayView(m_bytes).sliced(2 * first, 2 * static_cast<qsizetype>(count));
 }
 
-template <typename T> void RegisterBlock::store(int index, T value)
+void RegisterBlock::write(int index, QByteArrayView bytes)
 {
     const qsizetype at = 2 * static_cast<qsizetype>(index);
-    if (at >= 0 && at + static_cast<qsizetype>(sizeof(T)) <= m_bytes.size()) {
-        qToLittleEndian(value, m_bytes.data() + at);
+    if (at >= 0 && at + bytes.size() <= m_bytes.size()) {
+        std::memcpy(m_bytes.data() + at, bytes.data(), static_cast<std::size_t>(bytes.size()));
     }
-}
-
-void RegisterBlock::setWord(int index, quint16 value)
-{
-    store(index, value);
-}
-
-void RegisterBlock::setDword(int index, quint32 value)
-{
-    store(index, value);
 }
 
 } // namespace gorizont

@@ -7,9 +7,7 @@
 
 namespace gorizont {
 
-/// The input registers of one unit, kept as the bytes that go over the wire, so that an answer is one copy.
-/// The contents are a little-endian byte stream (manual 000, 10.3: "all numbers low byte first"): on the wire every
-/// register is byte-swapped and the 32-bit channel word comes low byte first. Pure.
+/// The registers of one unit, kept as the bytes that go over the wire, so that an answer is one copy. Pure.
 class RegisterBlock
 {
 public:
@@ -25,13 +23,10 @@ public:
     /// The bytes of registers \a address … \a address + \a count − 1; empty when not all of them are in the block.
     std::optional<QByteArrayView> registers(int address, int count) const;
 
-    /// \a index counts registers from the start of the block, whatever the base. Outside the block nothing happens.
-    void setWord(int index, quint16 value);
-    void setDword(int index, quint32 value);
+    /// \a index counts registers from the start of the block, whatever the base. What does not fit is not written.
+    void write(int index, QByteArrayView bytes);
 
 private:
-    template <typename T> void store(int index, T value);
-
     int m_base = 0;
     QByteArray m_bytes;
 };

@@ -6,24 +6,18 @@ namespace gorizont {
 
 namespace {
 
-struct Candidate
+QList<SensorSlot> membersByNumber(const QList<LineConfig> &lines, const StatusRules &rules, SensorSlots::Member member)
 {
-    int number = 0;
-    quint16 word = 0;
-};
-
-QList<Candidate> membersByNumber(const QList<LineConfig> &lines, const StatusRules &rules, SensorSlots::Member member)
-{
-    QList<Candidate> members;
+    QList<SensorSlot> members;
     for (const LineConfig &line : lines) {
         for (const SensorConfig &sensor : line.sensors) {
-            if (sensor.*member) {
-                members.append({sensor.number, initialSensorWord(line, sensor, rules)});
+            if (member == nullptr || sensor.*member) {
+                members.append({sensor, line.isOn, initialSensorWord(line, sensor, rules)});
             }
         }
     }
-    std::stable_sort(members.begin(), members.end(), [](const Candidate &a, const Candidate &b) {
-        return a.number < b.number;
+    std::stable_sort(members.begin(), members.end(), [](const SensorSlot &a, const SensorSlot &b) {
+        return a.sensor.number < b.sensor.number;
     });
     return members;
 }
@@ -44,18 +38,19 @@ int largestNumber(const QList<LineConfig> &lines)
 SensorSlots::SensorSlots(
     const QList<LineConfig> &lines, const StatusRules &rules, Member member, ModbusPacking packing, int limit)
 {
-    const QList<Candidate> members = membersByNumber(lines, rules, member);
+    const QList<SensorSlot> members = membersByNumber(lines, rules, member);
     const bool isByNumber = packing == ModbusPacking::ByNumber;
     const int wanted = isByNumber ? largestNumber(lines) : static_cast<int>(members.size());
-    m_initialWords.fill(holeWord, std::min(wanted, limit));
+    m_slots.resize(std::min(wanted, limit));
     int next = 0;
-    for (const Candidate &sensor : members) {
-        const int slot = isByNumber ? sensor.number - 1 : next++;
+    for (const SensorSlot &candidate : members) {
+        const int number = candidate.sensor.number;
+        const int slot = isByNumber ? number - 1 : next++;
         if (slot < 0 || slot >= count()) {
-            m_unreachable.append(sensor.number);
-        } else if (!m_slotOfNumber.contains(sensor.number)) {
-            m_slotOfNumber.insert(sensor.number, slot);
-            m_initialWords[slot] = sensor.word;
+            m_unreachable.append(number);
+        } else if (!m_slotOfNumber.contains(number)) {
+            m_slotOfNumber.insert(number, slot);
+            m_slots[slot] = candidate;
         }
         // Of two sensors with one number only the first is polled; the slot of the second stays a hole.
     }

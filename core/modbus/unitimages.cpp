@@ -1,23 +1,43 @@
 #include "core/modbus/unitimages.h"
 
+#include "core/modbus/accelerationmap.h"
+#include "core/modbus/extendedmap.h"
+#include "core/modbus/tiltmap.h"
+
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace gorizont {
 
-UnitImages::UnitImages(const ModbusConfig &config)
-    : UnitImages(
-        config,
-        {config.lines, config.rules, &SensorConfig::measuresTilt, config.packing, TiltImage::limit(config.base)},
-        {config.lines, config.rules, &SensorConfig::measuresAcceleration, config.packing,
-         AccelerationImage::limit(config.base)})
+QString UnreachableSensors::sentence() const
 {
+    QStringList names;
+    for (const int unit : units) {
+        names.append(QString::number(unit));
+    }
+    return QCoreApplication::translate(
+               "Modbus",
+               "Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are "
+               "not served there.")
+        .arg(QString::number(numbers.size()), QString::number(numbers.value(0)), names.join(QStringLiteral(", ")));
 }
 
-UnitImages::UnitImages(const ModbusConfig &config, const SensorSlots &tilts, const SensorSlots &accelerations)
-    : m_tilt(config.base, tilts)
-    , m_acceleration(config.base, accelerations)
-    , m_unreachable(tilts.unreachable() + accelerations.unreachable())
+UnitImages::UnitImages(const ModbusConfig &config)
 {
+    for (const UnitLayout *layout : {&tiltMap(), &accelerationMap(), &extendedMap()}) {
+        const int limit = layout->limit(layout->base(config.base));
+        const SensorSlots slotMap(config.lines, config.rules, layout->member, config.packing, limit);
+        m_images.emplace_back(*layout, config.base, slotMap);
+        if (!slotMap.unreachable().isEmpty()) {
+            m_unreachable.units.append(layout->unit);
+            m_unreachable.numbers.append(slotMap.unreachable());
+        }
+    }
+    std::sort(m_unreachable.units.begin(), m_unreachable.units.end());
+    QList<int> &numbers = m_unreachable.numbers;
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     for (const LineConfig &line : config.lines) {
         LineStatus status;
         status.port = line.index;
@@ -25,23 +45,29 @@ UnitImages::UnitImages(const ModbusConfig &config, const SensorSlots &tilts, con
         m_lines.append(status);
     }
     setChannels();
-    std::sort(m_unreachable.begin(), m_unreachable.end());
-    m_unreachable.erase(std::unique(m_unreachable.begin(), m_unreachable.end()), m_unreachable.end());
+}
+
+const UnitImage *UnitImages::unit(int unit) const
+{
+    for (const UnitImage &image : m_images) {
+        if (image.layout().unit == unit) {
+            return &image;
+        }
+    }
+    return nullptr;
 }
 
 const RegisterBlock *UnitImages::inputRegisters(int unit) const
 {
-    switch (unit) {
-    case tiltUnit: return &m_tilt.block();
-    case accelerationUnit: return &m_acceleration.block();
-    default: return nullptr;
-    }
+    const UnitImage *image = this->unit(unit);
+    return image != nullptr ? &image->block() : nullptr;
 }
 
 void UnitImages::update(const Reading &reading)
 {
-    m_tilt.update(reading);
-    m_acceleration.update(reading);
+    for (UnitImage &image : m_images) {
+        image.update(reading);
+    }
 }
 
 void UnitImages::updateLine(const LineStatus &status)
@@ -57,13 +83,9 @@ void UnitImages::updateLine(const LineStatus &status)
 void UnitImages::setChannels()
 {
     const quint32 word = channelWord(m_lines);
-    m_tilt.setChannels(word);
-    m_acceleration.setChannels(word);
-}
-
-QList<int> UnitImages::unreachable() const
-{
-    return m_unreachable;
+    for (UnitImage &image : m_images) {
+        image.setChannels(word);
+    }
 }
 
 } // namespace gorizont

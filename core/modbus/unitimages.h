@@ -1,37 +1,47 @@
 #pragma once
 
-#include "core/modbus/accelerationimage.h"
 #include "core/modbus/modbusconfig.h"
-#include "core/modbus/tiltimage.h"
+#include "core/modbus/unitimage.h"
+
+#include <vector>
 
 namespace gorizont {
 
-/// The registers of every unit. Pure; the only place that knows which unit is what.
+/// Sensors that some units have no room for.
+struct UnreachableSensors
+{
+    QList<int> numbers; ///< site numbers, ascending
+    QList<int> units; ///< ascending
+
+    bool isEmpty() const { return numbers.isEmpty(); }
+    QString sentence() const; ///< for the journal
+};
+
+/// The registers of every unit. One thread; the only place that knows which units there are.
 class UnitImages
 {
 public:
     static constexpr int tiltUnit = 3;
-    static constexpr int accelerationUnit = 6;
 
     explicit UnitImages(const ModbusConfig &config);
 
-    /// The input registers of \a unit; nullptr: there is no such unit.
+    const std::vector<UnitImage> &units() const { return m_images; }
+    /// nullptr: there is no such unit.
+    const UnitImage *unit(int unit) const;
+    /// The input registers of \a unit, with the clocks as they were at its last change; nullptr: there is no such unit.
     const RegisterBlock *inputRegisters(int unit) const;
 
     void update(const Reading &reading);
     void updateLine(const LineStatus &status);
 
-    /// Site numbers that found no room in one of the units, ascending.
-    QList<int> unreachable() const;
+    const UnreachableSensors &unreachable() const { return m_unreachable; }
 
 private:
-    UnitImages(const ModbusConfig &config, const SensorSlots &tilts, const SensorSlots &accelerations);
     void setChannels();
 
     QList<LineStatus> m_lines;
-    TiltImage m_tilt;
-    AccelerationImage m_acceleration;
-    QList<int> m_unreachable;
+    std::vector<UnitImage> m_images;
+    UnreachableSensors m_unreachable;
 };
 
 } // namespace gorizont

@@ -1,9 +1,13 @@
 """The main job on the manual's own configuration: poll, print, save, serve; compared value by value."""
 import ctypes
+import datetime
+import math
 import re
 import shutil
+import struct
 import subprocess
 import tempfile
+import time
 import unittest
 import pathlib
 
@@ -95,9 +99,58 @@ class Annex(unittest.TestCase):
             self.assertEqual(self.matching(lambda: read_acceleration(client, 4), agrees), [])
             client.close()
 
+    def test_unit_1_agrees_with_the_printed_readings(self):
+        numbers = sorted(TILT_NUMBERS)
+        fields = {"tiltX": 16, "tiltY": 18, "temperature": 24, "accelMax": 32, "accelDirection": 34, "accelRmsX": 42,
+                  "accelRmsY": 44}
+
+        def read_blocks(client):
+            return lambda: [client.read(1, 3000 + 100 * slot, 64) for slot in range(len(numbers))]
+
+        def agrees(blocks, printed):
+            problems = []
+            for number, block in zip(numbers, blocks):
+                reading = printed[number]
+                served = {name: struct.unpack_from(">f", block, 2 * at)[0] for name, at in fields.items()}
+                n, port, address, _, flags, status = struct.unpack_from(">IHHHHH", block, 0)
+                milliseconds = struct.unpack_from(">Q", block, 24)[0]
+                moment = datetime.datetime.fromisoformat(reading["time"].replace("Z", "+00:00"))
+                same = all(math.isnan(served[name]) if name not in reading
+                           else math.isclose(served[name], reading[name], rel_tol=1e-6, abs_tol=1e-6) for name in fields)
+                if not (same and n == number and status == reading["status"] and address == reading["address"]
+                        and flags & 0b1111 == 0b1111 and milliseconds == round(1000 * moment.timestamp())):
+                    problems.append(f"{number}: {served} {n} {port} {flags:x} {milliseconds} against {reading}")
+            return problems
+
+        for client in (ModbusClient(self.port), LibModbus(self.port)):
+            self.assertEqual(self.matching(read_blocks(client), agrees), [])
+            client.close()
+
+    def test_clocks_of_unit_1_go(self):
+        client = ModbusClient(self.port)
+        before = time.time()
+        served = struct.unpack(">Q", client.read(1, 8, 4, function=3))[0] / 1000
+        self.assertTrue(before - 0.002 <= served <= time.time() + 0.002, (before, served))
+        client.close()
+
+    def test_mbpoll_reads_floats(self):
+        client = ModbusClient(self.port)
+        for _ in range(20):
+            before = client.read(1, 3016, 4)
+            output = subprocess.run(
+                ["mbpoll", "-m", "tcp", "-p", str(self.port), "-a", "1", "-0", "-r", "3016", "-c", "2", "-t", "4:float",
+                 "-B", "-1", "-q", "127.0.0.1"], capture_output=True, text=True, timeout=30, check=True).stdout
+            if before == client.read(1, 3016, 4):
+                break
+        values = [float(value) for value in re.findall(r"\[\d+\]:\s*(\S+)", output)]
+        self.assertEqual(len(values), 2, output)
+        for value, expected in zip(values, struct.unpack(">ff", before)):
+            self.assertTrue(math.isclose(value, expected, rel_tol=1e-4), (value, expected))
+        client.close()
+
     def test_mbpoll_reads_the_same_registers(self):
         client = ModbusClient(self.port)
-        for unit, count in ((3, 2), (6, 2)):
+        for unit, count in ((3, 2), (6, 2), (1, 8)):
             output = subprocess.run(
                 ["mbpoll", "-m", "tcp", "-p", str(self.port), "-a", str(unit), "-0", "-r", "0", "-c", str(count),
                  "-t", "3:hex", "-1", "-q", "127.0.0.1"], capture_output=True, text=True, timeout=30, check=True).stdout
@@ -110,6 +163,8 @@ class Annex(unittest.TestCase):
         client = ModbusClient(self.port)
         read_tilt(client, 8)
         read_acceleration(client, 4)
+        client.read(1, 0, 125)
+        client.read(1, 3000, 125, function=3)
         with self.assertRaises(Exception):
             client.read(3, 30000, 2)
         client.close()

@@ -19,7 +19,8 @@ class CommandLine(unittest.TestCase):
             done = run(option)
             self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("0.", run("--version").stdout)
-        for option in ("--config", "--data", "--ports", "--headless", "--demo", "--lang", "--print-readings"):
+        for option in ("--config", "--data", "--ports", "--headless", "--demo", "--lang", "--print-readings",
+                       "--print-register-map"):
             self.assertIn(option, run("--help").stdout)
 
     def test_usage_errors_end_with_2(self):

@@ -1,17 +1,19 @@
-#include "ui/attentionbanner.h"
 #include "ui/complaintsdialog.h"
 #include "ui/firstrundialog.h"
-#include "ui/mainwindow.h"
 #include "ui/models/icons.h"
-#include "ui/trayicon.h"
+#include "ui/registermapdialog.h"
 
 #include "tests/ui/samplesite.h"
 
 #include <QAbstractButton>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QGuiApplication>
-#include <QLabel>
+#include <QListWidget>
 #include <QPlainTextEdit>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QTextTable>
 #include <QtTest>
 
 using namespace gorizont;
@@ -38,6 +40,61 @@ private Q_SLOTS:
         QCOMPARE(QGuiApplication::clipboard()->text(), lines.join(u'\n'));
     }
 
+    void registerMapShowsASectionAtATime()
+    {
+        const QString markdown = QStringLiteral(
+            "# Map\n\nBefore.\n\n## Unit 3\n\n| Register | Field |\n| --- | --- |\n| 2 | `tilt_x` |\n\n### Part\n\n"
+            "#### Sensor \\| 1 <b>\n\nOf the sensor.\n");
+        RegisterMapDialog dialog(markdown);
+        dialog.show();
+        auto *list = dialog.findChild<QListWidget *>(QStringLiteral("registerMapSections"));
+        const auto *text = dialog.findChild<QTextBrowser *>(QStringLiteral("registerMapText"));
+        QCOMPARE(list->count(), 3);
+        QCOMPARE(list->item(2)->text(), QStringLiteral("    Sensor | 1 <b>"));
+        QVERIFY(text->toPlainText().contains(QStringLiteral("Before.")));
+        list->setCurrentRow(1);
+        const auto tables = text->document()->rootFrame()->childFrames();
+        QCOMPARE(tables.size(), 1);
+        const auto *table = qobject_cast<QTextTable *>(tables.first());
+        QVERIFY(table && table->rows() == 2 && table->columns() == 2);
+        QVERIFY(!text->toPlainText().contains(QStringLiteral("Before.")));
+        list->setCurrentRow(2);
+        QCOMPARE(text->toPlainText().trimmed(), QStringLiteral("Sensor | 1 <b>\nOf the sensor."));
+        dialog.findChild<QAbstractButton *>(QStringLiteral("registerMapCopy"))->click();
+        QCOMPARE(QGuiApplication::clipboard()->text(), markdown);
+    }
+
+    void aLongSectionOfTheRegisterMapIsShownAsItIs()
+    {
+        const QString row = QStringLiteral("| 2 | `tilt_x` |\n");
+        RegisterMapDialog dialog(QStringLiteral("# Map\n\n") + row.repeated(5000));
+        const auto *text = dialog.findChild<QTextBrowser *>(QStringLiteral("registerMapText"));
+        QVERIFY(text->toPlainText().contains(row));
+    }
+
+    void registerMapCanBeSaved()
+    {
+        const QTemporaryDir folder;
+        const QString markdown = QStringLiteral("# Карта\n");
+        RegisterMapDialog dialog(markdown);
+        dialog.show();
+        const auto chooses = [&dialog](const QString &path) {
+            dialog.findChild<QAbstractButton *>(QStringLiteral("registerMapSave"))->click();
+            auto *files = dialog.findChild<QFileDialog *>();
+            QVERIFY(files && files->isVisible());
+            Q_EMIT files->fileSelected(path);
+            files->close();
+            QTRY_VERIFY(!dialog.findChild<QFileDialog *>());
+        };
+        chooses(folder.filePath(QStringLiteral("map.md")));
+        QFile file(folder.filePath(QStringLiteral("map.md")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), markdown.toUtf8());
+        QVERIFY(!dialog.findChild<QWidget *>(QStringLiteral("registerMapProblem")));
+        chooses(folder.filePath(QStringLiteral("nowhere/map.md")));
+        QVERIFY(dialog.findChild<QWidget *>(QStringLiteral("registerMapProblem")));
+    }
+
     void firstRun_data()
     {
         QTest::addColumn<QString>("button");
@@ -55,37 +112,6 @@ private Q_SLOTS:
         QCOMPARE(dialog.choice(), FirstRunDialog::Choice::Quit);
         dialog.findChild<QAbstractButton *>(button)->click();
         QCOMPARE(static_cast<int>(dialog.choice()), choice);
-    }
-
-    void bannerIsThereOnlyWhenNeeded()
-    {
-        QWidget window;
-        auto *banner = new AttentionBanner(&window);
-        window.show();
-        QVERIFY(!banner->isVisible());
-        banner->setCount(2);
-        QVERIFY(banner->isVisible());
-        QVERIFY(banner->findChild<QLabel *>(QStringLiteral("attentionText"))->text().contains(u'2'));
-        banner->setCount(0);
-        QVERIFY(!banner->isVisible());
-    }
-
-    void trayShowsTheWorstState()
-    {
-        SensorRegistry registry(test::sampleConfig().lines, StatusRules());
-        Journal journal;
-        MainWindow window(registry, journal, test::sampleConfig(), {});
-        TrayIcon tray(window, registry);
-        const SteadyTime now = std::chrono::steady_clock::now();
-        registry.updateLine(test::openLine(1, now));
-        LineStatus lost;
-        lost.port = 2;
-        lost.state = LineState::Lost;
-        registry.updateLine(lost);
-        registry.update({test::sampleReading(now), test::tiltReading(2, 0, 0, now)});
-        tray.refresh();
-        QCOMPARE(tray.icon().icon().cacheKey(), icons::tray(Health::Error).cacheKey());
-        QCOMPARE(tray.icon().toolTip(), QStringLiteral("Gorizont Server (тест)\nSensors good: 2, starting: 1, off: 1"));
     }
 
     /// Every state has a shape of its own: the outlines differ, not only the colours.

@@ -1,3 +1,4 @@
+#include "core/alarms/alarmwatch.h"
 #include "tests/ui/servicebench.h"
 #include "ui/mainwindow.h"
 
@@ -195,7 +196,8 @@ private Q_SLOTS:
 private:
     void open()
     {
-        m_window = std::make_unique<MainWindow>(*m_registry, m_first->journal, m_config, QList<Complaint>());
+        m_alarms = std::make_unique<AlarmWatch>(*m_registry);
+        m_window = std::make_unique<MainWindow>(*m_registry, m_first->journal, *m_alarms, m_config, QList<Complaint>());
         m_window->offerService(
             [this](int port) -> LineWorker * {
                 return port == 4 ? m_first->worker.get() : port == 5 ? m_second->worker.get() : nullptr;
@@ -256,6 +258,7 @@ private:
     QTemporaryDir m_settings;
     ServerConfig m_config;
     std::unique_ptr<SensorRegistry> m_registry;
+    std::unique_ptr<AlarmWatch> m_alarms;
     std::unique_ptr<ServiceBench> m_first;
     std::unique_ptr<ServiceBench> m_second;
     std::unique_ptr<MainWindow> m_window;

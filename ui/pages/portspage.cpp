@@ -1,6 +1,7 @@
 #include "ui/pages/portspage.h"
 
 #include "ui/models/portmodel.h"
+#include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
 #include <QHeaderView>
@@ -11,7 +12,7 @@ namespace gorizont {
 
 namespace {
 
-/// Numbers in order of size, not of spelling; what has no number by its text.
+/// Numbers in order of size, not of spelling; what is absent comes last in either direction.
 class PortOrder : public QSortFilterProxyModel
 {
 public:
@@ -20,16 +21,12 @@ public:
 protected:
     bool lessThan(const QModelIndex &left, const QModelIndex &right) const override
     {
-        const QString a = left.data().toString();
-        const QString b = right.data().toString();
-        switch (left.column()) {
-        case PortModel::Port: return left.row() < right.row();
-        case PortModel::Sent:
-        case PortModel::Received:
-        case PortModel::Attempts: return a.toULongLong() < b.toULongLong();
-        case PortModel::Uptime: return a.size() != b.size() ? a.size() < b.size() : a < b;
-        default: return a.localeAwareCompare(b) < 0;
+        const QVariant a = left.data(PortModel::SortRole);
+        const QVariant b = right.data(PortModel::SortRole);
+        if (!a.isValid() || !b.isValid()) {
+            return sortOrder() == Qt::AscendingOrder ? a.isValid() && !b.isValid() : b.isValid() && !a.isValid();
         }
+        return QVariant::compare(a, b) == QPartialOrdering::Less;
     }
 };
 
@@ -43,14 +40,16 @@ PortsPage::PortsPage(const SensorRegistry &registry, QWidget *parent)
     auto *order = new PortOrder(this);
     order->setSourceModel(m_model);
     m_view->setModel(order);
-    m_view->setSortingEnabled(true);
-    m_view->sortByColumn(PortModel::Port, Qt::AscendingOrder);
-    m_view->setColumnSample(PortModel::Port, QStringLiteral("COM256"));
-    m_view->setColumnSample(PortModel::Uptime, QStringLiteral("10000:00:00"));
-    m_view->setColumnSample(PortModel::Sent, QStringLiteral("1000000000000"));
-    m_view->setColumnSample(PortModel::Received, QStringLiteral("1000000000000"));
-    m_view->setColumnSample(PortModel::Attempts, QStringLiteral("100000"));
-    m_view->setElasticColumn(PortModel::State, QString(24, u'n'));
+    m_view->horizontalHeader()->setSectionsMovable(true);
+    m_view->setEmptyText(tr("The configuration file lists no ports."));
+    TableColumns &columns = m_view->columns();
+    columns.setDefaultSort(PortModel::Port);
+    columns.setSample(PortModel::Port, QStringLiteral("COM256"));
+    columns.setSample(PortModel::Uptime, QStringLiteral("10000:00:00"));
+    columns.setSample(PortModel::Sent, QStringLiteral("1000000000000"));
+    columns.setSample(PortModel::Received, QStringLiteral("1000000000000"));
+    columns.setSample(PortModel::Attempts, QStringLiteral("100000"));
+    columns.setElastic(PortModel::State, QString(24, u'n'));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);

@@ -121,11 +121,11 @@ private Q_SLOTS:
         QCOMPARE(all(images, 6).toHex(), accelerationBlock().toHex());
     }
 
-    void knowsTwoUnits()
+    void knowsThreeUnits()
     {
         const UnitImages images(modbusSite());
         for (int unit = 0; unit < 256; ++unit) {
-            QCOMPARE(images.inputRegisters(unit) != nullptr, unit == 3 || unit == 6);
+            QCOMPARE(images.inputRegisters(unit) != nullptr, unit == 1 || unit == 3 || unit == 6);
         }
     }
 
@@ -142,12 +142,19 @@ private Q_SLOTS:
     void namesTheSensorsThatFindNoRoom()
     {
         ModbusConfig config = modbusSite(ModbusPacking::ByNumber);
-        // 2 + 4 × 16383 = 65534 registers fit, 2 + 5 × 13106 = 65532.
+        // Unit 3: 2 + 4 × 16383 = 65534 registers fit; unit 6: 2 + 5 × 13106 = 65532; unit 1: 3000 + 100 × 625 = 65500.
         config.lines[0].sensors[0].number = 16383;
         config.lines[0].sensors[1].number = 13107;
         config.lines[1].sensors[0].number = 2000000000;
         const UnitImages images(config);
-        QCOMPARE(images.unreachable(), (QList<int>{13107, 2000000000}));
+        QCOMPARE(images.unreachable().numbers, (QList<int>{13107, 16383, 2000000000}));
+        QCOMPARE(images.unreachable().units, (QList<int>{1, 3, 6}));
+        const QString sentence = images.unreachable().sentence();
+        QVERIFY2(
+            sentence.contains(QStringLiteral("3 sensors")) && sentence.contains(QStringLiteral("N=13107")),
+            qPrintable(sentence));
+        QVERIFY2(sentence.contains(QStringLiteral("unit 1, 3, 6")), qPrintable(sentence));
+        QCOMPARE(images.inputRegisters(1)->count(), 65500);
         QCOMPARE(images.inputRegisters(3)->count(), 65534);
         QCOMPARE(images.inputRegisters(6)->count(), 65532);
         QCOMPARE(images.inputRegisters(3)->registers(65533, 1)->toByteArray().toHex(), "000f");
@@ -218,10 +225,10 @@ private Q_SLOTS:
         expected.port = 1502;
         expected.packing = ModbusPacking::ByNumber;
         expected.base = 1;
-        expected.clients = 7;
-        expected.idle = std::chrono::milliseconds(30000);
-        expected.bind = QStringLiteral("::1");
-        expected.allow = QStringList{QStringLiteral("10.0.0.0/8")};
+        expected.desk.clients = 7;
+        expected.desk.idle = std::chrono::milliseconds(30000);
+        expected.desk.bind = QStringLiteral("::1");
+        expected.desk.allow = QStringList{QStringLiteral("10.0.0.0/8")};
         expected.lines = modbusSite().lines;
         expected.rules = {3, 4, true};
         QVERIFY(modbusConfig(server) == expected);

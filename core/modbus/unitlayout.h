@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/modbus/registerfield.h"
+#include "core/modbus/unitstate.h"
+
+#include <span>
+
+namespace gorizont {
+
+using HeadField = RegisterField<HeadState>;
+using SlotField = RegisterField<SlotState>;
+
+/// The fields are in ascending order, do not overlap and end before register \a end.
+template <typename Fields> constexpr bool areApart(const Fields &fields, int end)
+{
+    int next = 0;
+    for (const auto &field : fields) {
+        if (field.offset < next || (field.value == nullptr) == (field.clock == nullptr)) {
+            return false;
+        }
+        next = field.offset + registerCount(field.type);
+    }
+    return next <= end;
+}
+
+/// The same registers for slot after slot.
+struct SlotPart
+{
+    const char *name; ///< for machines; empty where there is only one part
+    const char *meaning; ///< source text of context RegisterMap
+    int start; ///< register of slot 0, counted from the start of the block
+    int stride; ///< registers from one slot to the next
+    std::span<const SlotField> fields;
+};
+
+/// What stands where in one unit: the table that its image and its document are made from.
+struct UnitLayout
+{
+    int unit; ///< the address of the slave in a request
+    const char *title; ///< source text of context RegisterMap
+    const char *remark; ///< source text of context RegisterMap; empty: none
+    RegisterOrder order;
+    bool isHolding; ///< function 03 reads the same as 04
+    bool followsBase; ///< ModbusBase moves the block
+    SensorSlots::Member member; ///< which sensors have a slot; nullptr: all
+    std::span<const HeadField> head; ///< from the start of the block
+    std::span<const SlotPart> parts; ///< in ascending order of start; the last one is open
+
+    /// Registers of a block with \a slotCount slots.
+    int size(int slotCount) const { return parts.back().start + parts.back().stride * slotCount; }
+    /// The register where the block starts.
+    int base(int configured) const { return followsBase ? configured : 0; }
+    /// How many slots there is room for below register 65536 when the block starts at \a base.
+    int limit(int base) const;
+};
+
+} // namespace gorizont
