@@ -2,16 +2,19 @@
 
 #include <QMutexLocker>
 
+#include <thread>
+
 namespace gorizont::test {
 
 using namespace std::chrono_literals;
 
-/// Its clock is the real one, but silence is skipped unless it is asked for in real time.
+/// Its clock is its own: bytes and silence last as long as on a wire, cost no real time, and do not care how busy the
+/// machine is.
 class ServiceBench::BenchLine : public SimulatedLine
 {
 public:
     BenchLine(ServiceBench &bench, const LineConfig &config, const SimulatedBus::Options &options)
-        : SimulatedLine(config, options, std::chrono::steady_clock::now(), 100ms)
+        : SimulatedLine(config, options, SteadyTime(start), 100ms)
         , m_bench(bench)
     {
     }
@@ -33,6 +36,7 @@ protected:
         if (m_bench.m_options.onRequest) {
             m_bench.m_options.onRequest(request);
         }
+        std::this_thread::sleep_for(m_bench.m_options.pace);
         closeIfUnplugged();
         return SimulatedLine::writeAll(bytes, timeout);
     }
@@ -43,19 +47,9 @@ protected:
         return SimulatedLine::readSome(timeout);
     }
 
-    SteadyTime now() const override
-    {
-        return std::chrono::steady_clock::now() + m_skipped + std::chrono::milliseconds(m_bench.m_skip);
-    }
+    SteadyTime now() const override { return m_now + std::chrono::milliseconds(m_bench.m_skip); }
 
-    void sleepUntil(SteadyTime time) override
-    {
-        if (m_bench.m_options.isRealTime) {
-            std::this_thread::sleep_until(time - std::chrono::milliseconds(m_bench.m_skip));
-        } else {
-            m_skipped += std::max(time - now(), SteadyTime::duration::zero());
-        }
-    }
+    void sleepUntil(SteadyTime time) override { m_now += std::max(time - now(), SteadyTime::duration::zero()); }
 
 private:
     void closeIfUnplugged()
@@ -65,18 +59,19 @@ private:
         }
     }
 
+    static constexpr std::chrono::hours start{1};
+
     ServiceBench &m_bench;
-    SteadyTime::duration m_skipped{0};
+    SteadyTime m_now{start};
 };
 
 namespace {
 
-Timing benchTiming(bool isRealTime)
+Timing benchTiming()
 {
     Timing timing;
     timing.run = 50ms;
     timing.addressChange = 1ms;
-    timing.readCommand = isRealTime ? 20ms : 200ms;
     timing.closePause = 100ms;
     timing.reopenPause = 100ms;
     timing.crcErrorPause = 0ms;
@@ -117,7 +112,7 @@ LineConfig serviceLine(const QList<SensorConfig> &sensors)
 ServiceBench::ServiceBench(const LineConfig &line, const QList<SensorConfig> &connected, const BenchOptions &options)
     : registry({line}, StatusRules())
     , m_line(line)
-    , m_timing(benchTiming(options.isRealTime))
+    , m_timing(benchTiming())
     , m_options(options)
 {
     PollingSettings settings;

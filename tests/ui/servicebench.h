@@ -10,11 +10,14 @@
 
 namespace gorizont::test {
 
+/// How long to wait for what is certain to come, ms: the machine may be busy.
+constexpr int patience = 60000;
+
 /// What is different on one bench from the next.
 struct BenchOptions
 {
     FaultPlan faults = {};
-    bool isRealTime = false; ///< silence lasts as long as on a wire; otherwise it costs nothing
+    std::chrono::milliseconds pace{0}; ///< how long a request lasts for whoever watches, on top of no time at all
     std::function<void(const QByteArray &)> onRequest = {}; ///< in the thread of the line, before the bytes are sent
 };
 

@@ -50,8 +50,8 @@ private Q_SLOTS:
             connect(bench->worker.get(), &LineWorker::readingsReady, m_registry.get(), &SensorRegistry::update);
         }
         open();
-        QTRY_COMPARE(m_registry->lines().at(0).status.state, LineState::Open);
-        QTRY_COMPARE(m_registry->lines().at(1).status.state, LineState::Open);
+        QTRY_COMPARE_WITH_TIMEOUT(m_registry->lines().at(0).status.state, LineState::Open, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(m_registry->lines().at(1).status.state, LineState::Open, patience);
     }
     void cleanup()
     {
@@ -64,7 +64,7 @@ private Q_SLOTS:
     void menuBelongsToThePort()
     {
         m_window->select(SiteItem::line(0));
-        QTRY_VERIFY(entry("serviceInD3")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(entry("serviceInD3")->isEnabled(), patience);
         QCOMPARE(entry("serviceInD3")->text(), QStringLiteral("Settings of ИН-Д3 sensors on COM16"));
         QCOMPARE(entry("serviceAnD3")->text(), QStringLiteral("Settings of АН-Д3 sensors on COM16"));
         m_window->select(SiteItem::sensor(1));
@@ -78,13 +78,14 @@ private Q_SLOTS:
         m_window->select(SiteItem::server());
         QCOMPARE(reason("serviceInD3"), QStringLiteral("Select a port in the tree first."));
         m_window->select(SiteItem::line(1));
-        QTRY_COMPARE(reason("serviceInD3"), QStringLiteral("There is no ИН-Д3 in the list of this port."));
+        QTRY_COMPARE_WITH_TIMEOUT(
+            reason("serviceInD3"), QStringLiteral("There is no ИН-Д3 in the list of this port."), patience);
         QCOMPARE(reason("serviceAnD3"), QString());
         m_window->select(SiteItem::line(2));
         QCOMPARE(reason("serviceInD3"), QStringLiteral("The port is off (On=0)."));
         m_window->select(SiteItem::line(0));
         m_first->isPlugged = false;
-        QTRY_COMPARE(reason("serviceInD3"), QStringLiteral("The port is not open."));
+        QTRY_COMPARE_WITH_TIMEOUT(reason("serviceInD3"), QStringLiteral("The port is not open."), patience);
         QCOMPARE(reason("serviceAnD3"), QStringLiteral("The port is not open."));
     }
 
@@ -130,13 +131,13 @@ private Q_SLOTS:
         trigger(0, "serviceInD3");
         QVERIFY(box()->text().contains(QStringLiteral("COM16")));
         box()->findChild<QPushButton *>(QStringLiteral("warningCancel"))->click();
-        QTRY_VERIFY(!box());
+        QTRY_VERIFY_WITH_TIMEOUT(!box(), patience);
         QVERIFY(dialogs().isEmpty());
         QCOMPARE(m_first->state(), LineState::Open);
 
         trigger(0, "serviceInD3");
         box()->findChild<QPushButton *>(QStringLiteral("warningOk"))->click();
-        QTRY_COMPARE(m_first->state(), LineState::Service);
+        QTRY_COMPARE_WITH_TIMEOUT(m_first->state(), LineState::Service, patience);
         QCOMPARE(dialogs().size(), 1);
         QVERIFY(!dialogs().first()->isModal());
     }
@@ -144,48 +145,48 @@ private Q_SLOTS:
     void severalPortsAndOneWindowEach()
     {
         service(0, "serviceInD3");
-        QTRY_COMPARE(m_first->state(), LineState::Service);
+        QTRY_COMPARE_WITH_TIMEOUT(m_first->state(), LineState::Service, patience);
         service(1, "serviceAnD3");
-        QTRY_COMPARE(m_second->state(), LineState::Service);
+        QTRY_COMPARE_WITH_TIMEOUT(m_second->state(), LineState::Service, patience);
         QCOMPARE(dialogs().size(), 2);
 
         trigger(0, "serviceInD3"); // raises the one that is open
         QVERIFY(!box());
         QCOMPARE(dialogs().size(), 2);
         m_window->select(SiteItem::line(0));
-        QTRY_COMPARE(reason("serviceAnD3"), QStringLiteral("The port is in service already."));
+        QTRY_COMPARE_WITH_TIMEOUT(reason("serviceAnD3"), QStringLiteral("The port is in service already."), patience);
 
         m_first->forgetAnswers();
         m_window->findChild<QDialog *>(QStringLiteral("ind3Dialog"))->close();
-        QTRY_VERIFY(m_first->isPolled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_first->isPolled(), patience);
         QCOMPARE(m_second->state(), LineState::Service);
         service(0, "serviceInD3"); // and again
-        QTRY_COMPARE(m_first->state(), LineState::Service);
+        QTRY_COMPARE_WITH_TIMEOUT(m_first->state(), LineState::Service, patience);
     }
 
     /// What clients, files and screens get meanwhile: the last values, status 0700 (spec/gorizont.md, section 5).
     void readingsKeepTheirValues()
     {
-        QTRY_VERIFY(m_first->isPolled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_first->isPolled(), patience);
         service(0, "serviceInD3");
-        QTRY_COMPARE(m_registry->sensors().front().reading.status, quint16(0x0700));
+        QTRY_COMPARE_WITH_TIMEOUT(m_registry->sensors().front().reading.status, quint16(0x0700), patience);
         QVERIFY(m_registry->sensors().front().reading.tilt.has_value());
-        QTRY_VERIFY(m_registry->lines().front().status.state == LineState::Service);
+        QTRY_VERIFY_WITH_TIMEOUT(m_registry->lines().front().status.state == LineState::Service, patience);
     }
 
     void theEndOfTheWindowResumesPolling()
     {
         service(0, "serviceInD3");
-        QTRY_COMPARE(m_first->state(), LineState::Service);
+        QTRY_COMPARE_WITH_TIMEOUT(m_first->state(), LineState::Service, patience);
         m_first->forgetAnswers();
         m_window.reset();
-        QTRY_VERIFY(m_first->isPolled());
+        QTRY_VERIFY_WITH_TIMEOUT(m_first->isPolled(), patience);
     }
 
     void theEndOfTheProgramDoesNotHang()
     {
         service(0, "serviceInD3");
-        QTRY_COMPARE(m_first->state(), LineState::Service);
+        QTRY_COMPARE_WITH_TIMEOUT(m_first->state(), LineState::Service, patience);
         QVERIFY(m_window->close());
         m_window.reset();
         m_first->endThread(); // waits for ever if a step hangs
@@ -234,11 +235,11 @@ private:
     void service(int line, const char *name) const
     {
         m_window->select(SiteItem::line(line));
-        QTRY_VERIFY(entry(name)->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(entry(name)->isEnabled(), patience);
         entry(name)->trigger();
-        QTRY_VERIFY(box());
+        QTRY_VERIFY_WITH_TIMEOUT(box(), patience);
         box()->findChild<QPushButton *>(QStringLiteral("warningOk"))->click();
-        QTRY_VERIFY(!box());
+        QTRY_VERIFY_WITH_TIMEOUT(!box(), patience);
     }
 
     QMessageBox *box() const { return m_window->findChild<QMessageBox *>(QStringLiteral("serviceWarning")); }
@@ -251,7 +252,7 @@ private:
         QVERIFY(menu && menu->isVisible());
         QCOMPARE(menu->actions().constFirst()->text(), firstEntry);
         menu->close();
-        QTRY_VERIFY(!m_window->findChild<QMenu *>(QStringLiteral("portMenu")));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->findChild<QMenu *>(QStringLiteral("portMenu")), patience);
     }
 
     QTemporaryDir m_settings;
