@@ -10,9 +10,11 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSaveFile>
+#include <QScreen>
 #include <QSplitter>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -22,7 +24,24 @@ namespace gorizont {
 namespace {
 
 /// Longer sections are shown as they are: laying out their tables would hold up the window.
-constexpr qsizetype longestFormatted = 15'000; ///< characters
+constexpr qsizetype longestFormatted = 20'000; ///< characters
+
+/// Thin lines instead of boxes.
+void styleTables(QTextDocument &document)
+{
+    for (QTextFrame *frame : document.rootFrame()->childFrames()) {
+        if (auto *table = qobject_cast<QTextTable *>(frame)) {
+            QTextTableFormat format = table->format();
+            format.setBorderCollapse(true);
+            format.setBorder(1);
+            format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+            format.setBorderBrush(QGuiApplication::palette().mid());
+            format.setCellPadding(3);
+            format.setCellSpacing(0);
+            table->setFormat(format);
+        }
+    }
+}
 
 } // namespace
 
@@ -36,12 +55,15 @@ RegisterMapDialog::RegisterMapDialog(const QString &markdown, QWidget *parent)
     setWindowTitle(tr("Modbus register map"));
     setAttribute(Qt::WA_DeleteOnClose);
     m_list->setObjectName(QStringLiteral("registerMapSections"));
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // long names are cut off; the tool tip has them
+    m_list->setTextElideMode(Qt::ElideRight);
     m_text->setObjectName(QStringLiteral("registerMapText"));
+    m_text->setWordWrapMode(QTextOption::WordWrap); // names of fields stay whole
     auto *splitter = new QSplitter(this);
     splitter->addWidget(m_list);
     splitter->addWidget(m_text);
     splitter->setChildrenCollapsible(false);
-    splitter->setSizes({300, 900});
+    splitter->setSizes({340, 860});
     splitter->setStretchFactor(1, 1);
     auto *buttons = new QDialogButtonBox(this);
     QPushButton *copy = buttons->addButton(tr("Copy all"), QDialogButtonBox::ActionRole);
@@ -58,9 +80,10 @@ RegisterMapDialog::RegisterMapDialog(const QString &markdown, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(splitter);
     layout->addWidget(buttons);
-    resize(1200, 720);
+    resize(QSize(1200, 720).boundedTo(screen()->availableSize() * 0.9));
     splitIntoSections();
     m_list->setCurrentRow(0);
+    m_list->setFocus();
 }
 
 /// At the title, at every unit and at every sensor.
@@ -76,7 +99,9 @@ void RegisterMapDialog::splitIntoSections()
         }
         start = match.capturedStart();
         const QString indent = match.capturedLength(1) > 2 ? QStringLiteral("    ") : QString();
-        m_list->addItem(indent + match.captured(2).replace(escape, QStringLiteral("\\1")));
+        const QString title = match.captured(2).replace(escape, QStringLiteral("\\1"));
+        auto *item = new QListWidgetItem(indent + title, m_list);
+        item->setToolTip(title.toHtmlEscaped());
     }
     m_sections.append(m_markdown.sliced(start));
 }
@@ -92,6 +117,7 @@ void RegisterMapDialog::showSection(int index)
         document->setMarkdown(
             section,
             QTextDocument::MarkdownFeatures(QTextDocument::MarkdownDialectGitHub) | QTextDocument::MarkdownNoHTML);
+        styleTables(*document);
     } else {
         document->setPlainText(section);
     }
