@@ -53,6 +53,9 @@ private Q_SLOTS:
         registry.update({test::sampleReading(now)});
         AlarmWatch alarms(registry);
         MainWindow window(registry, journal, alarms, config, {});
+        window.appendMeasurement(QStringLiteral(
+            "18:33:03 07.02.18\t3300\t  -264.0\t -6644.6\t\t     0.0\t 0 0011 0011 1000\t -3599.5\t -3599.5\t   21.38"
+            "\t     0.0\t10 0000 0001 0100"));
         window.setServerStatus(QStringLiteral("Modbus TCP: 502"));
         window.resize(size);
         window.show();
@@ -130,7 +133,14 @@ private:
             const int wanted = header->fontMetrics().horizontalAdvance(text) + mark + margins;
             addIf(list, header->sectionSize(column) < wanted, text);
         }
-        if (table.objectName() != QStringLiteral("journalTable")) {
+        if (table.objectName() == QStringLiteral("measurementsTable")) {
+            for (int column = 0; column < header->count(); ++column) {
+                const QModelIndex cell = table.model()->index(0, column);
+                const QFontMetrics metrics(cell.data(Qt::FontRole).value<QFont>());
+                const int wanted = metrics.horizontalAdvance(cell.data().toString()) + margins;
+                addIf(list, table.columnWidth(column) < wanted, cell.data().toString());
+            }
+        } else if (table.objectName() != QStringLiteral("journalTable")) {
             for (int row = 0; row < table.model()->rowCount(); ++row) {
                 const QModelIndex cell = table.model()->index(row, 0);
                 const int icon = cell.data(Qt::DecorationRole).isNull() ? 0 : table.iconSize().width();

@@ -4,6 +4,7 @@
 #include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
+#include <QFontDatabase>
 #include <QVBoxLayout>
 
 namespace gorizont {
@@ -25,6 +26,7 @@ MeasurementsPage::MeasurementsPage(const SensorRegistry &registry, const ServerC
     view->setModel(m_model);
     // The columns do not move: a copied row is a line of the file.
     TableColumns &columns = view->columns();
+    columns.setCellFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     columns.setCommonSample(2, QStringLiteral("-264000.0"));
     columns.setSample(0, QStringLiteral("18:33:03 07.02.18"));
     columns.setSample(1, QStringLiteral("3333333333333333"));

@@ -76,7 +76,7 @@ int TableColumns::sampleWidth(int column, const QString &widest) const
     const int sortMark = m_table->style()->pixelMetric(QStyle::PM_HeaderMarkSize) + margins;
     const QString heading = model->headerData(column, Qt::Horizontal).toString();
     const QFontMetrics metrics = m_table->fontMetrics();
-    const QFont cellFont = model->index(0, column).data(Qt::FontRole).value<QFont>();
+    const QFont cellFont = m_cellFont.value_or(model->index(0, column).data(Qt::FontRole).value<QFont>());
     const int headingWidth =
         header()->fontMetrics().horizontalAdvance(heading) + (m_table->isSortingEnabled() ? sortMark : 0);
     const int cellWidth = std::max(metrics.horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));

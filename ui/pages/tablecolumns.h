@@ -2,8 +2,11 @@
 
 #include "ui/pages/columnlayout.h"
 
+#include <QFont>
 #include <QObject>
 #include <QSet>
+
+#include <optional>
 
 class QHeaderView;
 class QTableView;
@@ -20,6 +23,9 @@ public:
     static constexpr int sideMargin = 6; ///< between a text and the edge of its cell or heading, pixels
 
     explicit TableColumns(QTableView *table);
+
+    /// The font of the cells where a model without rows cannot tell it; before the samples.
+    void setCellFont(const QFont &font) { m_cellFont = font; }
 
     /// Default width of a column: its heading and the widest text it is going to hold. May be told again.
     void setSample(int column, const QString &widest);
@@ -46,6 +52,7 @@ private:
     void onResized(int column);
 
     QTableView *m_table;
+    std::optional<QFont> m_cellFont; ///< empty: the model tells it
     QMap<int, int> m_defaults; ///< column → width
     QSet<int> m_byHand; ///< columns whose width somebody has changed
     int m_elastic = -1; ///< −1: none
