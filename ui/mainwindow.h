@@ -83,6 +83,7 @@ private:
     void buildStatusBar();
     int selectedLine() const; ///< index of the port that is selected or has the selected sensor; −1: none
     QAction *addGoAction(QMenu *menu, const QString &title, int digit, const std::function<void()> &go);
+    void placeInSight();
     void restoreLayout();
     void saveLayout() const;
 

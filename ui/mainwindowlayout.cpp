@@ -160,14 +160,28 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(m_clock);
 }
 
+/// In the middle of the screen, with room for the frame of the window manager, which nobody knows before the window is shown.
+void MainWindow::placeInSight()
+{
+    const QSize frame(20, 50);
+    const QRect available = screen()->availableGeometry();
+    resize(QSize(1340, 800).boundedTo(available.size() - frame));
+    move(
+        available.topLeft()
+        + QPoint(available.width() - width() - frame.width(), available.height() - height() - frame.height()) / 2);
+}
+
 void MainWindow::restoreLayout()
 {
-    const QSize frame(20, 50); // of the window manager, which nobody knows before the window is shown
-    resize(QSize(1340, 800).boundedTo(screen()->availableSize() - frame));
+    placeInSight();
     m_columns->setSizes({310, 1030});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    // A screen that is smaller now, or scaled, must not hide a part of the window.
+    if (restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()) && !isMaximized()
+        && !screen()->availableVirtualGeometry().contains(geometry())) {
+        placeInSight();
+    }
     m_columns->restoreState(settings.value(QStringLiteral("window/columns")).toByteArray());
     m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
     if (settings.value(QStringLiteral("window/showsSensors")).toBool()) {

@@ -337,14 +337,24 @@ private Q_SLOTS:
 
     void remembersItsLayout()
     {
-        m_window->resize(1000, 700);
+        m_window->setGeometry(10, 10, 770, 700);
         auto *splitter = find<QSplitter>("columnsSplitter");
-        splitter->setSizes({400, 600});
+        splitter->setSizes({300, 470});
         const QList<int> sizes = splitter->sizes();
         m_window->close();
         open({});
-        QCOMPARE(m_window->size(), QSize(1000, 700));
+        QCOMPARE(m_window->geometry(), QRect(10, 10, 770, 700));
         QTRY_COMPARE(find<QSplitter>("columnsSplitter")->sizes(), sizes);
+    }
+
+    /// The screen has become smaller, or its scale larger.
+    void comesBackWhereItCanBeSeen()
+    {
+        const QRect available = m_window->screen()->availableGeometry();
+        m_window->setGeometry(QRect(available.center(), available.size()));
+        m_window->close();
+        open({});
+        QVERIFY(available.contains(m_window->geometry()));
     }
 
     /// Tests and scripts find everything by name.
