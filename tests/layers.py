@@ -30,7 +30,10 @@ ROOMS = {
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
         "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h",
     ],
-    "ui": ["core/values", "core/config", "core/registry", "core/alarms", "core/engine/lineworker.h", "resources"],
+    "ui": [
+        "core/values", "core/config", "core/registry", "core/alarms", "core/engine/lineworker.h", "core/net/clientinfo.h",
+        "resources",
+    ],
     "app": ["core", "ui", "translations", "resources"],
     "tests": ["app", "core", "ui", "tests", "translations"],
 }

@@ -54,6 +54,7 @@ MainWindow::MainWindow(
     connect(&registry, &SensorRegistry::lineChanged, this, [this] { m_isDirty = true; });
     connect(m_tree, &SiteTree::selectionChanged, this, &MainWindow::showItem);
     connect(m_state, &StatePanel::chosen, this, &MainWindow::select);
+    connect(m_state, &StatePanel::clientDismissed, this, &MainWindow::clientDismissed);
     connect(m_banner, &AttentionBanner::listWanted, this, &MainWindow::showAttention);
     select(SiteItem::server());
     m_tree->setFocus();
@@ -118,6 +119,11 @@ void MainWindow::appendMeasurement(const QString &line)
 void MainWindow::setServerStatus(const QString &text)
 {
     m_server->setText(text);
+}
+
+void MainWindow::setClients(const QString &service, const QList<ClientInfo> &clients)
+{
+    m_state->setClients(service, clients);
 }
 
 void MainWindow::refresh()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/config/serverconfig.h"
+#include "core/net/clientinfo.h"
 #include "core/registry/journal.h"
 #include "core/registry/sensorregistry.h"
 #include "ui/models/siteitem.h"
@@ -54,6 +55,8 @@ public Q_SLOTS:
     void appendMeasurement(const QString &line);
     /// State of the Modbus server for the status bar.
     void setServerStatus(const QString &text);
+    /// All clients of \a service as they are now, for the tab <Клиенты>.
+    void setClients(const QString &service, const QList<gorizont::ClientInfo> &clients);
     void raiseWindow();
     /// The list of messages for the dispatcher.
     void showAttention();
@@ -69,6 +72,8 @@ Q_SIGNALS:
     void retryRequested();
     /// The user wants to see the register map; who makes the window knows it.
     void registerMapRequested();
+    /// The user wants this connection to be cut off, and confirmed it.
+    void clientDismissed(const QString &service, const QHostAddress &address, quint16 port);
 
 protected:
     void closeEvent(QCloseEvent *event) override;

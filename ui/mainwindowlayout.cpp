@@ -37,7 +37,7 @@ void MainWindow::buildPanels(Journal &journal)
 {
     m_tree = new SiteTree(m_registry, this);
     m_banner = new AttentionBanner(m_alarms, this);
-    m_state = new StatePanel(m_registry, this);
+    m_state = new StatePanel(m_registry, m_config.showsAdvanced, this);
     m_info = new InfoPanel(m_registry, journal, m_config, this);
     m_rows = new QSplitter(Qt::Vertical, this);
     m_rows->setObjectName(QStringLiteral("rowsSplitter"));
@@ -97,6 +97,12 @@ void MainWindow::buildViewMenu()
         select(SiteItem::server());
         m_state->showSensors();
     });
+    if (m_config.showsAdvanced) {
+        addGoAction(view, tr("C&lients"), 9, [this] {
+            select(SiteItem::server());
+            m_state->showClients();
+        });
+    }
     addGoAction(view, tr("P&ort"), 3, [this] { goToPort(); });
     addGoAction(view, tr("S&ensor"), 4, [this] { goToSensor(); });
     view->addSeparator();
@@ -170,9 +176,7 @@ void MainWindow::restoreLayout()
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     m_columns->restoreState(settings.value(QStringLiteral("window/columns")).toByteArray());
     m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
-    if (settings.value(QStringLiteral("window/showsSensors")).toBool()) {
-        m_state->showSensors();
-    }
+    m_state->showServerTab(settings.value(QStringLiteral("window/serverTab")).toInt());
     m_info->setCurrentIndex(settings.value(QStringLiteral("window/infoTab")).toInt());
     for (const TableView *table : findChildren<TableView *>()) {
         const int columns = table->model()->columnCount();
@@ -186,7 +190,7 @@ void MainWindow::saveLayout() const
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/columns"), m_columns->saveState());
     settings.setValue(QStringLiteral("window/rows"), m_rows->saveState());
-    settings.setValue(QStringLiteral("window/showsSensors"), m_state->isShowingSensors());
+    settings.setValue(QStringLiteral("window/serverTab"), m_state->serverTab());
     settings.setValue(QStringLiteral("window/infoTab"), m_info->currentIndex());
     for (const TableView *table : findChildren<TableView *>()) {
         const int columns = table->model()->columnCount();

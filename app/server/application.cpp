@@ -99,7 +99,7 @@ void Application::makeModbus()
     ModbusServer *modbus = m_modbus.get();
     connect(&m_registry, &SensorRegistry::readingsChanged, modbus, &ModbusServer::updateReadings, Qt::QueuedConnection);
     connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
-    connect(&modbus->desk(), &ClientDesk::journal, &m_journal, &Journal::append);
+    connectDesk(modbus->desk());
     connect(modbus, &ModbusServer::stateChanged, this, [this](QModbusDevice::State state) {
         Q_EMIT serverStatusChanged(modbusText(state));
     });
@@ -122,11 +122,31 @@ void Application::makeAdc24()
     Adc24Server *adc24 = m_adc24.get();
     connect(&m_registry, &SensorRegistry::readingsChanged, adc24, &Adc24Server::updateReadings, Qt::QueuedConnection);
     connect(&m_registry, &SensorRegistry::blockAdded, adc24, &Adc24Server::appendBlock, Qt::QueuedConnection);
-    connect(&adc24->desk(), &ClientDesk::journal, &m_journal, &Journal::append);
+    connectDesk(adc24->desk());
     adc24->updateReadings(m_registry.readings());
     adc24->moveToThread(&m_serversThread);
     connect(&m_serversThread, &QThread::started, adc24, &Adc24Server::start);
     connect(&m_serversThread, &QThread::finished, adc24, &Adc24Server::stop, Qt::DirectConnection);
+}
+
+/// Before \a desk moves to its thread.
+void Application::connectDesk(ClientDesk &desk)
+{
+    connect(&desk, &ClientDesk::journal, &m_journal, &Journal::append);
+    connect(&desk, &ClientDesk::clientsChanged, this, [this, service = desk.service()](const QList<ClientInfo> &all) {
+        Q_EMIT clientsChanged(service, all);
+    });
+    m_desks.push_back(&desk);
+}
+
+void Application::dismissClient(const QString &service, const QHostAddress &address, quint16 port)
+{
+    for (ClientDesk *desk : m_desks) {
+        if (desk->service() == service) {
+            QMetaObject::invokeMethod(
+                desk, [desk, address, port] { desk->dismiss(address, port); }, Qt::QueuedConnection);
+        }
+    }
 }
 
 void Application::makePrinter()

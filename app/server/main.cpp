@@ -105,6 +105,8 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
+    QObject::connect(&application, &Application::clientsChanged, &window, &MainWindow::setClients);
+    QObject::connect(&window, &MainWindow::clientDismissed, &application, &Application::dismissClient);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
     QObject::connect(&window, &MainWindow::registerMapRequested, &window, [&window, &site] {
         (new RegisterMapDialog(registerDocument(site.reading.config), &window))->show();

@@ -194,8 +194,11 @@ private Q_SLOTS:
     {
         QFETCH(QString, language);
         QVERIFY(installTranslation(language));
+        m_config.showsAdvanced = true;
         open();
-        QList<QList<QAction *>> groups{m_window->menuBar()->actions(), find<QTableView>("portsTable")->actions()};
+        QList<QList<QAction *>> groups{
+            m_window->menuBar()->actions(), find<QTableView>("portsTable")->actions(),
+            find<QTableView>("clientsTable")->actions()};
         for (const QAction *menu : m_window->menuBar()->actions()) {
             groups += menu->menu()->actions();
         }

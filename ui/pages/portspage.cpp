@@ -1,44 +1,21 @@
 #include "ui/pages/portspage.h"
 
 #include "ui/models/portmodel.h"
+#include "ui/pages/roworder.h"
 #include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
 #include <QHeaderView>
-#include <QSortFilterProxyModel>
 #include <QVBoxLayout>
 
 namespace gorizont {
-
-namespace {
-
-/// Numbers in order of size, not of spelling; what is absent comes last in either direction.
-class PortOrder : public QSortFilterProxyModel
-{
-public:
-    using QSortFilterProxyModel::QSortFilterProxyModel;
-
-protected:
-    bool lessThan(const QModelIndex &left, const QModelIndex &right) const override
-    {
-        const QVariant a = left.data(PortModel::SortRole);
-        const QVariant b = right.data(PortModel::SortRole);
-        if (!a.isValid() || !b.isValid()) {
-            return sortOrder() == Qt::AscendingOrder ? a.isValid() && !b.isValid() : b.isValid() && !a.isValid();
-        }
-        return QVariant::compare(a, b) == QPartialOrdering::Less;
-    }
-};
-
-} // namespace
 
 PortsPage::PortsPage(const SensorRegistry &registry, QWidget *parent)
     : QWidget(parent)
     , m_model(new PortModel(registry, this))
     , m_view(new TableView(QStringLiteral("portsTable"), this))
 {
-    auto *order = new PortOrder(this);
-    order->setSourceModel(m_model);
+    auto *order = new RowOrder(m_model, PortModel::SortRole, this);
     m_view->setModel(order);
     m_view->horizontalHeader()->setSectionsMovable(true);
     m_view->setEmptyText(tr("The configuration file lists no ports."));

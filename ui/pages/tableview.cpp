@@ -195,7 +195,7 @@ void TableView::contextMenuEvent(QContextMenuEvent *event)
     menu->addActions(actions());
     // An action that is off now must still take its shortcut later, when there is something to copy.
     connect(menu, &QMenu::aboutToHide, this, [this] {
-        for (QAction *action : actions()) {
+        for (QAction *action : {m_copyCell, m_copyRows, m_copyTable}) {
             action->setEnabled(true);
         }
     });
