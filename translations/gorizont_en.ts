@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>gorizont::ClientsPage</name>
+    <message numerus="yes">
+        <source>Disconnect %n client(s)?</source>
+        <translation>
+            <numerusform>Disconnect %n client?</numerusform>
+            <numerusform>Disconnect %n clients?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gorizont::ComplaintsDialog</name>
     <message numerus="yes">
         <source>%n entry(ies) of the configuration file cannot be used as they are. The program works without them.</source>

@@ -2309,6 +2309,108 @@
     </message>
 </context>
 <context>
+    <name>gorizont::ClientModel</name>
+    <message>
+        <source>What the client is connected to</source>
+        <translation>К чему подключён клиент</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>Сервер</translation>
+    </message>
+    <message>
+        <source>Address and port of the client</source>
+        <translation>Адрес и порт клиента</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Клиент</translation>
+    </message>
+    <message>
+        <source>When the client connected</source>
+        <translation>Когда клиент подключился</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Подключён</translation>
+    </message>
+    <message>
+        <source>Requests answered</source>
+        <translation>Запросов, на которые отвечено</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Запросов</translation>
+    </message>
+    <message>
+        <source>How long ago the last request came</source>
+        <translation>Сколько времени назад был последний запрос</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Последний</translation>
+    </message>
+    <message>
+        <source>Requests answered with an exception or not at all</source>
+        <translation>Запросов, на которые отвечено исключением или не отвечено</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Ошибок</translation>
+    </message>
+    <message>
+        <source>Bytes received from the client</source>
+        <translation>Байт принято от клиента</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Принято</translation>
+    </message>
+    <message>
+        <source>Bytes sent to the client</source>
+        <translation>Байт отправлено клиенту</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Отправлено</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ClientsPage</name>
+    <message>
+        <source>&amp;Disconnect…</source>
+        <translation>&amp;Отключить…</translation>
+    </message>
+    <message>
+        <source>Nobody is connected.</source>
+        <translation>Никто не подключён.</translation>
+    </message>
+    <message>
+        <source>Disconnect the client %1 from %2?</source>
+        <translation>Отключить клиента %1 от %2?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Disconnect %n client(s)?</source>
+        <translation>
+            <numerusform>Отключить %n клиента?</numerusform>
+            <numerusform>Отключить %n клиентов?</numerusform>
+            <numerusform>Отключить %n клиентов?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A client may connect again at once; ModbusAllow keeps it out for good.</source>
+        <translation>Клиент может сразу подключиться снова; навсегда его не пустит ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Отключить</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::ComplaintsDialog</name>
     <message>
         <source>Configuration file</source>
@@ -2844,6 +2946,10 @@
     <message>
         <source>Modbus &amp;register map…</source>
         <translation>Карта &amp;регистров Modbus…</translation>
+    </message>
+    <message>
+        <source>C&amp;lients</source>
+        <translation>&amp;Клиенты</translation>
     </message>
 </context>
 <context>
@@ -3518,6 +3624,10 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Sensor</source>
         <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>Clients</source>
+        <translation>Клиенты</translation>
     </message>
 </context>
 <context>
