@@ -225,6 +225,7 @@ private Q_SLOTS:
         m_window->setClients(adc24, {client("10.0.0.2", 2)});
         showClients();
         auto *table = find<TableView>("clientsTable");
+        table->setFocus();
         table->selectAll();
         QTest::keyClick(table, Qt::Key_Delete);
         QCOMPARE(find<QMessageBox>("dismissQuestion")->text(), u"Отключить 3 клиентов?"_s);
