@@ -93,7 +93,7 @@ ColumnLayout TableColumns::layout() const
         layout.order += header()->logicalIndex(place);
     }
     if (std::is_sorted(layout.order.cbegin(), layout.order.cend())) {
-        layout.order.clear();
+        layout.order = {}; // clear() keeps memory, and QList compares such an empty list with memcmp(…, nullptr)
     }
     for (const int column : m_byHand) {
         layout.widths.insert(column, header()->sectionSize(column));
