@@ -69,14 +69,14 @@ private:
 template <typename Device, typename Look> auto ServiceBench::device(int index, Look look)
 {
     using Seen = std::invoke_result_t<Look, const Device &>;
-    QPromise<Seen> promise;
-    promise.start();
-    worker->submit([&](Line &line) {
+    const auto promise = std::make_shared<QPromise<Seen>>(); // finish() may still run there when the wait here is over
+    promise->start();
+    worker->submit([promise, look, index](Line &line) {
         const auto &bus = dynamic_cast<SimulatedLine &>(line).bus();
-        promise.addResult(look(dynamic_cast<const Device &>(*bus.devices().at(static_cast<std::size_t>(index)))));
-        promise.finish();
+        promise->addResult(look(dynamic_cast<const Device &>(*bus.devices().at(static_cast<std::size_t>(index)))));
+        promise->finish();
     });
-    QFuture<Seen> future = promise.future();
+    QFuture<Seen> future = promise->future();
     future.waitForFinished();
     return future.result();
 }
