@@ -202,6 +202,7 @@ private Q_SLOTS:
         QVERIFY(extended);
         std::array<quint16, 34> registers{};
         writer->start();
+        QTRY_VERIFY(updates > 0); // from here on nobody reads what stood there before
         int kinds[2] = {0, 0};
         QStringList torn;
         for (int i = 0; i < 20000 && (i < 500 || kinds[0] < 50 || kinds[1] < 50); ++i) {
@@ -214,7 +215,7 @@ private Q_SLOTS:
             const quint32 answers = quint32{registers[32]} << 16 | registers[33];
             const bool isOdd = x == 0x3F800000 && y == x && answers == 0xFFFFFFFF;
             const bool isEven = x == 0xC0000000 && y == x && answers == 0;
-            if (i > 0 && updates > 1 && !isOdd && !isEven) {
+            if (!isOdd && !isEven) {
                 torn.append(QStringLiteral("%1 %2 %3").arg(x, 0, 16).arg(y, 0, 16).arg(answers, 0, 16));
             }
             kinds[isOdd ? 1 : 0] += isOdd || isEven ? 1 : 0;
