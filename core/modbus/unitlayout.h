@@ -15,7 +15,7 @@ template <typename Fields> constexpr bool areApart(const Fields &fields, int end
 {
     int next = 0;
     for (const auto &field : fields) {
-        if (field.offset < next || (field.value == nullptr) == (field.clock == nullptr)) {
+        if (field.offset < next) {
             return false;
         }
         next = field.offset + registerCount(field.type);

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QtEndian>
 
+#include <algorithm>
 #include <limits>
 
 using namespace gorizont;
@@ -90,6 +91,19 @@ class TestExtendedMap : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void everyFieldIsAValueOrAClock()
+    {
+        const auto isOneOfThem = [](const auto &field) { return (field.value == nullptr) != (field.clock == nullptr); };
+        const UnitImages images(modbusSite());
+        QCOMPARE(images.units().size(), std::size_t{3});
+        for (const UnitImage &unit : images.units()) {
+            QVERIFY(std::ranges::all_of(unit.layout().head, isOneOfThem));
+            for (const SlotPart &part : unit.layout().parts) {
+                QVERIFY(std::ranges::all_of(part.fields, isOneOfThem));
+            }
+        }
+    }
+
     void theHeadTellsWhereEverythingIs()
     {
         const UnitImages images(modbusSite());
