@@ -21,11 +21,13 @@ std::optional<ConfigReading> readConfigFile(const QString &path, QString *why)
         *why = file.errorString();
         return std::nullopt;
     }
-    if (file.size() > largestFile) {
+    // Not by its size: a device or a pipe says none.
+    const QByteArray bytes = file.read(largestFile + 1);
+    if (bytes.size() > largestFile) {
         *why = QCoreApplication::translate("gorizont::ConfigFile", "the file is far too large to be a configuration");
         return std::nullopt;
     }
-    return readServerConfig(IniFile::fromBytes(file.readAll()));
+    return readServerConfig(IniFile::fromBytes(bytes));
 }
 
 } // namespace gorizont

@@ -2,12 +2,32 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>gorizont::AttentionBanner</name>
+    <name>AlarmText</name>
     <message numerus="yes">
         <source>%n sensor(s) need attention</source>
         <translation>
             <numerusform>%n sensor needs attention</numerusform>
             <numerusform>%n sensors need attention</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AlarmWatch</name>
+    <message numerus="yes">
+        <source>Accepted by the dispatcher: %n message(s)</source>
+        <translation>
+            <numerusform>Accepted by the dispatcher: %n message</numerusform>
+            <numerusform>Accepted by the dispatcher: %n messages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ClientsPage</name>
+    <message numerus="yes">
+        <source>Disconnect %n client(s)?</source>
+        <translation>
+            <numerusform>Disconnect %n client?</numerusform>
+            <numerusform>Disconnect %n clients?</numerusform>
         </translation>
     </message>
 </context>
@@ -18,6 +38,30 @@
         <translation>
             <numerusform>%n entry of the configuration file cannot be used as it is. The program works without it.</numerusform>
             <numerusform>%n entries of the configuration file cannot be used as they are. The program works without them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::tool::Text</name>
+    <message numerus="yes">
+        <source>address %1, %n sensor(s) found</source>
+        <translation>
+            <numerusform>address %1, %n sensor found</numerusform>
+            <numerusform>address %1, %n sensors found</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) found</source>
+        <translation>
+            <numerusform>%n sensor found</numerusform>
+            <numerusform>%n sensors found</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) asked</source>
+        <translation>
+            <numerusform>%n address asked</numerusform>
+            <numerusform>%n addresses asked</numerusform>
         </translation>
     </message>
 </context>

@@ -25,6 +25,85 @@
     </message>
 </context>
 <context>
+    <name>AlarmText</name>
+    <message>
+        <source>The port cannot be opened</source>
+        <translation>Порт не открывается</translation>
+    </message>
+    <message>
+        <source>The connection to the port is lost</source>
+        <translation>Связь с портом потеряна</translation>
+    </message>
+    <message>
+        <source>Switch the port on in the configuration file.</source>
+        <translation>Включите порт в файле настроек.</translation>
+    </message>
+    <message>
+        <source>Check that the adapter is plugged in and powered, and the number of the port.</source>
+        <translation>Проверьте, что адаптер подключён и включён, и верен ли номер порта.</translation>
+    </message>
+    <message>
+        <source>Check the adapter, its cable and its power. The program opens the port again by itself.</source>
+        <translation>Проверьте адаптер, его кабель и питание. Программа откроет порт снова сама.</translation>
+    </message>
+    <message>
+        <source>%1; sensors without data: %2</source>
+        <translation>%1; датчиков без данных: %2</translation>
+    </message>
+    <message>
+        <source>Check the power of the sensor, its cable and its address.</source>
+        <translation>Проверьте питание датчика, кабель и адрес.</translation>
+    </message>
+    <message>
+        <source>Check the terminating resistor and the cable for interference, and that no two sensors have the same address.</source>
+        <translation>Проверьте согласующий резистор и помехи на кабеле, а также нет ли двух датчиков с одним адресом.</translation>
+    </message>
+    <message>
+        <source>Check the supply voltage and the cable of the transducer, restart the sensor. If that does not help, it needs repair.</source>
+        <translation>Проверьте напряжение питания и кабель преобразователя, перезапустите датчик. Если не помогло, нужен ремонт.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor. If that does not help, it needs repair.</source>
+        <translation>Перезапустите датчик. Если не помогло, нужен ремонт.</translation>
+    </message>
+    <message>
+        <source>Look at the structure and at how the sensor is fixed: it is inclined or moves beyond what it can measure.</source>
+        <translation>Осмотрите конструкцию и крепление датчика: наклон или движение выходит за диапазон измерений.</translation>
+    </message>
+    <message>
+        <source>The sensor goes on without a temperature. Plan its repair.</source>
+        <translation>Датчик работает без температуры. Запланируйте ремонт.</translation>
+    </message>
+    <message>
+        <source>Check the temperature at the sensor. If it is usual, the sensor needs repair.</source>
+        <translation>Проверьте температуру у датчика. Если она обычная, датчику нужен ремонт.</translation>
+    </message>
+    <message>
+        <source>Check the fan of the thermostat: dirt, ice, its cable. The readings may drift.</source>
+        <translation>Проверьте вентилятор термостата: грязь, лёд, провод. Показания могут уходить.</translation>
+    </message>
+    <message>
+        <source>Check the heating and the cover of the sensor: it may be too cold there. The readings may drift.</source>
+        <translation>Проверьте подогрев и крышку датчика: возможно, ему слишком холодно. Показания могут уходить.</translation>
+    </message>
+    <message>
+        <source>Look at the status word of the sensor.</source>
+        <translation>Посмотрите слово состояния датчика.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) need attention</source>
+        <translation>
+            <numerusform>%n датчик требует внимания</numerusform>
+            <numerusform>%n датчика требуют внимания</numerusform>
+            <numerusform>%n датчиков требуют внимания</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>and more: %1</source>
+        <translation>и ещё: %1</translation>
+    </message>
+</context>
+<context>
     <name>And3Driver</name>
     <message>
         <source>The sensor has restarted.</source>
@@ -43,12 +122,12 @@
         <translation>Запись ускорений была остановлена; она запущена снова.</translation>
     </message>
     <message>
-        <source>Firmware %1.%2, build %3.</source>
-        <translation>Версия ПО %1.%2, сборка %3.</translation>
-    </message>
-    <message>
         <source>Packets of accelerations do not follow each other.</source>
         <translation>Пакеты ускорений не следуют друг за другом.</translation>
+    </message>
+    <message>
+        <source>Firmware %1.</source>
+        <translation>Версия ПО %1.</translation>
     </message>
 </context>
 <context>
@@ -67,82 +146,6 @@
 </context>
 <context>
     <name>Modbus</name>
-    <message>
-        <source>Another program uses this port. Stop that program or choose another IPPort1.</source>
-        <translation>Этот порт занят другой программой. Завершите её или выберите другой IPPort1.</translation>
-    </message>
-    <message>
-        <source>Ports below 1024 need a right. Choose another IPPort1, or give the right once: sudo setcap cap_net_bind_service=+ep %1</source>
-        <translation>Для портов ниже 1024 нужно право. Выберите другой IPPort1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %1</translation>
-    </message>
-    <message>
-        <source>This computer does not have the address given in ModbusBind.</source>
-        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Check IPPort1 and ModbusBind.</source>
-        <translation>Проверьте IPPort1 и ModbusBind.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: serving on port %1.</source>
-        <translation>Modbus TCP: сервер работает на порту %1.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: stopped.</source>
-        <translation>Modbus TCP: сервер остановлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: cannot serve on port %1 (%2). %3 Trying again every %4 s.</source>
-        <translation>Modbus TCP: порт %1 недоступен (%2). %3 Попытки повторяются каждые %4 с.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
-        <translation>Modbus TCP: «%1» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: &quot;%1&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
-        <translation>Modbus TCP: «%1» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 and are not served.</source>
-        <translation>Modbus TCP: датчики (%1, первый из них N=%2) не умещаются до регистра 65536 и не передаются.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients cannot be accepted (%1). Those connected are served on. Trying again every second.</source>
-        <translation>Modbus TCP: новые клиенты не принимаются (%1). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
-    </message>
-    <message>
-        <source>Modbus TCP: new clients are accepted again.</source>
-        <translation>Modbus TCP: новые клиенты снова принимаются.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 connected.</source>
-        <translation>Клиент Modbus %1 подключился.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 has not been here since %2.</source>
-        <translation>Клиента Modbus %1 не было с %2.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was refused: ModbusAllow does not list it.</source>
-        <translation>Клиенту Modbus %1 отказано: его нет в ModbusAllow.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it does not speak Modbus TCP (wrong length of a request).</source>
-        <translation>Клиент Modbus %1 отключён: его запросы не по протоколу Modbus TCP (неверная длина).</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asks and does not read the answers.</source>
-        <translation>Клиент Modbus %1 отключён: он запрашивает, но не читает ответы.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected: it asked nothing for longer than ModbusIdle.</source>
-        <translation>Клиент Modbus %1 отключён: не было запросов дольше ModbusIdle.</translation>
-    </message>
-    <message>
-        <source>Modbus client %1 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
-        <translation>Клиент Modbus %1 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
-    </message>
     <message>
         <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are not served there.</source>
         <translation>Modbus TCP: датчикам (%1 шт., первый из них N=%2) не хватает места ниже регистра 65536 в устройстве %3, там они не передаются.</translation>
@@ -163,10 +166,6 @@
         <translation>Время опроса</translation>
     </message>
     <message>
-        <source>how long polled without a break</source>
-        <translation>время непрерывного опроса порта</translation>
-    </message>
-    <message>
         <source>Time since opening</source>
         <translation>Время после открытия</translation>
     </message>
@@ -183,10 +182,6 @@
         <translation>Попыток открытия</translation>
     </message>
     <message>
-        <source>those that failed</source>
-        <translation>количество неудачных попыток</translation>
-    </message>
-    <message>
         <source>Write errors</source>
         <translation>Ошибок записи</translation>
     </message>
@@ -201,6 +196,50 @@
     <message>
         <source>Code of the last error</source>
         <translation>Код последней ошибки</translation>
+    </message>
+    <message>
+        <source>short description of the port</source>
+        <translation>краткое описание подключенного порта</translation>
+    </message>
+    <message>
+        <source>state of the port</source>
+        <translation>состояние порта</translation>
+    </message>
+    <message>
+        <source>how long the port is polled without a break, h:mm:ss</source>
+        <translation>время непрерывного опроса порта, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>how long the port works without a break, h:mm:ss</source>
+        <translation>время непрерывной работы порта, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>number of bytes sent to the port</source>
+        <translation>количество отправленных в порт байт</translation>
+    </message>
+    <message>
+        <source>number of bytes received from the port</source>
+        <translation>количество принятых из порта байт</translation>
+    </message>
+    <message>
+        <source>number of failed attempts to open the port</source>
+        <translation>количество неудачных попыток открытия порта</translation>
+    </message>
+    <message>
+        <source>number of errors of writing to the port</source>
+        <translation>количество ошибок записи в порт</translation>
+    </message>
+    <message>
+        <source>number of errors of reading from the port</source>
+        <translation>количество ошибок чтения из порта</translation>
+    </message>
+    <message>
+        <source>number of CRC errors in what was read from the port</source>
+        <translation>количество ошибок CRC при чтении из порта</translation>
+    </message>
+    <message>
+        <source>code of the system and its meaning; 0: no error so far</source>
+        <translation>код системы и его смысл; 0 — ошибок не было</translation>
     </message>
 </context>
 <context>
@@ -785,10 +824,6 @@
         <translation>максимум по X %1, по Y %2 мм/с²</translation>
     </message>
     <message>
-        <source>flags of the state : of the mode, as the sensor gives them; the program&apos;s own word is %1</source>
-        <translation>флаги состояния : режима, как их передаёт датчик; слово состояния программы: %1</translation>
-    </message>
-    <message>
         <source>Comment</source>
         <translation>Комментарий</translation>
     </message>
@@ -817,10 +852,6 @@
         <translation>Термостат, % (об./с)</translation>
     </message>
     <message>
-        <source>power of the heater (frequency of the fan)</source>
-        <translation>мощность нагревателя (частота вентилятора)</translation>
-    </message>
-    <message>
         <source>Status word</source>
         <translation>Слово состояния</translation>
     </message>
@@ -829,16 +860,88 @@
         <translation>Период опроса, с</translation>
     </message>
     <message>
-        <source>period | time of the exchange | age of the values</source>
-        <translation>период | длительность обмена | возраст показаний</translation>
-    </message>
-    <message>
         <source>Read errors</source>
         <translation>Ошибок чтения</translation>
     </message>
     <message>
         <source>CRC errors</source>
         <translation>Ошибок CRC</translation>
+    </message>
+    <message>
+        <source>asked once a minute if CanInfo=1</source>
+        <translation>запрашивается раз в минуту при CanInfo=1</translation>
+    </message>
+    <message>
+        <source>a number as the sensor gives it</source>
+        <translation>число, как его передаёт датчик</translation>
+    </message>
+    <message>
+        <source>Firmware version</source>
+        <translation>Версия ПО</translation>
+    </message>
+    <message>
+        <source>System clock</source>
+        <translation>Системный такт</translation>
+    </message>
+    <message>
+        <source>Power of the heater</source>
+        <translation>Мощность нагревателя</translation>
+    </message>
+    <message>
+        <source>Power of the fan</source>
+        <translation>Мощность вентилятора</translation>
+    </message>
+    <message>
+        <source>Address and command of the transducer</source>
+        <translation>Адрес и команда преобразователя</translation>
+    </message>
+    <message>
+        <source>Response time of the transducer</source>
+        <translation>Время ответа преобразователя</translation>
+    </message>
+    <message>
+        <source>flags of the state : flags of the mode, as the sensor gives them</source>
+        <translation>флаги состояния : флаги режима работы, как их передаёт датчик</translation>
+    </message>
+    <message>
+        <source>the program&apos;s own word: %1</source>
+        <translation>слово состояния программы: %1</translation>
+    </message>
+    <message>
+        <source>short description of the sensor</source>
+        <translation>краткое описание подключенного датчика</translation>
+    </message>
+    <message>
+        <source>state of the sensor</source>
+        <translation>состояние подключенного датчика</translation>
+    </message>
+    <message>
+        <source>angle along X, angle along Y, degrees (the same in arc-seconds)</source>
+        <translation>угол по X, угол по Y, угл. град. (угол по X, угол по Y, угл. сек.)</translation>
+    </message>
+    <message>
+        <source>temperature, if the sensor measures it</source>
+        <translation>температура, °C (если поддерживается датчиком)</translation>
+    </message>
+    <message>
+        <source>speed of the wind, if the sensor measures it</source>
+        <translation>скорость ветра (если поддерживается датчиком)</translation>
+    </message>
+    <message>
+        <source>power of the heater, % (frequency of the fan, revolutions per second)</source>
+        <translation>мощность нагревательного элемента, % (частота вентилятора, об./с)</translation>
+    </message>
+    <message>
+        <source>actual period of polling | time of the exchange | age of the values</source>
+        <translation>фактический период опроса | длительность обмена | возраст показаний</translation>
+    </message>
+    <message>
+        <source>number of errors of reading from the sensor</source>
+        <translation>количество ошибок чтения из датчика</translation>
+    </message>
+    <message>
+        <source>number of CRC errors in what was read from the sensor</source>
+        <translation>количество ошибок CRC при чтении из датчика</translation>
     </message>
 </context>
 <context>
@@ -1019,13 +1122,37 @@
         <source>The first one counts.</source>
         <translation>Действует первый.</translation>
     </message>
+    <message>
+        <source>%1 is more than %2.</source>
+        <translation>%1 больше %2.</translation>
+    </message>
+    <message>
+        <source>The text is longer than %1 characters.</source>
+        <translation>Текст длиннее %1 символов.</translation>
+    </message>
+    <message>
+        <source>Its beginning is used.</source>
+        <translation>Взято его начало.</translation>
+    </message>
+    <message>
+        <source>%1 is the port of Modbus TCP already.</source>
+        <translation>%1 — уже порт Modbus TCP.</translation>
+    </message>
+    <message>
+        <source>ADC24 TCP is switched off.</source>
+        <translation>ADC24 TCP выключен.</translation>
+    </message>
+    <message>
+        <source>The first accelerometer is used.</source>
+        <translation>Используется первый акселерометр.</translation>
+    </message>
+    <message>
+        <source>The site has no accelerometer with number %1.</source>
+        <translation>На объекте нет акселерометра с номером %1.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
-    <message>
-        <source>the file gives “%1”, which cannot be used</source>
-        <translation>в файле указано «%1», это значение использовать нельзя</translation>
-    </message>
     <message>
         <source>%1 ms</source>
         <translation>%1 мс</translation>
@@ -1043,84 +1170,8 @@
         <translation>IP порт</translation>
     </message>
     <message>
-        <source>Modbus TCP</source>
-        <translation>Modbus TCP</translation>
-    </message>
-    <message>
-        <source>Modbus TCP, switched off</source>
-        <translation>Modbus TCP, выключен</translation>
-    </message>
-    <message>
-        <source>period of the visible elements</source>
-        <translation>период обновления визуальных элементов программы</translation>
-    </message>
-    <message>
-        <source>period of polling a port</source>
-        <translation>период опроса COM-портов</translation>
-    </message>
-    <message>
-        <source>time for resources at the start</source>
-        <translation>время на инициализацию ресурсов программы</translation>
-    </message>
-    <message>
-        <source>period of the records in the files</source>
-        <translation>период сохранения результатов измерений в файлах</translation>
-    </message>
-    <message>
         <source>slice of any pause</source>
         <translation>квант времени для задержек</translation>
-    </message>
-    <message>
-        <source>after a failed attempt to open a port</source>
-        <translation>задержка после неудачной попытки открытия COM-порта</translation>
-    </message>
-    <message>
-        <source>after closing a port, before it is opened again</source>
-        <translation>задержка после закрытия COM-порта перед повторным открытием</translation>
-    </message>
-    <message>
-        <source>time for an orderly end of the program</source>
-        <translation>время на штатное освобождение ресурсов программы при закрытии</translation>
-    </message>
-    <message>
-        <source>after another address is chosen</source>
-        <translation>приостановка после изменения адреса датчика</translation>
-    </message>
-    <message>
-        <source>after a polling cycle</source>
-        <translation>приостановка после завершения цикла опроса</translation>
-    </message>
-    <message>
-        <source>after a read error</source>
-        <translation>приостановка после ошибки чтения</translation>
-    </message>
-    <message>
-        <source>after a CRC error</source>
-        <translation>приостановка после ошибки CRC</translation>
-    </message>
-    <message>
-        <source>reading the answer to a command</source>
-        <translation>таймаут чтения команды из COM-порта</translation>
-    </message>
-    <message>
-        <source>writing a command</source>
-        <translation>таймаут записи команды в COM-порт</translation>
-    </message>
-    <message>
-        <source>reading data</source>
-        <translation>таймаут чтения данных из COM-порта</translation>
-    </message>
-    <message>
-        <source>writing data</source>
-        <translation>таймаут записи данных в COM-порт</translation>
-    </message>
-    <message>
-        <source>read errors in a row before the status word says so</source>
-        <translation>ошибок чтения подряд до флага в слове состояния датчика</translation>
-    </message>
-    <message>
-        <source>CRC errors in a row before the status word says so</source>
-        <translation>ошибок CRC подряд до флага в слове состояния датчика</translation>
     </message>
     <message>
         <source>[More]</source>
@@ -1161,10 +1212,6 @@
     <message>
         <source>%1 packets</source>
         <translation>%1 пакетов</translation>
-    </message>
-    <message>
-        <source>32 samples of both axes each</source>
-        <translation>по 32 измерения по осям X и Y в пакете</translation>
     </message>
     <message>
         <source>[Port]</source>
@@ -1237,6 +1284,462 @@
     <message>
         <source>Remark</source>
         <translation>Примечание</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>чётность</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>нечётность</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>единица</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>ноль</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>углы</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>accelerations</source>
+        <translation>ускорения</translation>
+    </message>
+    <message>
+        <source>information about the sensor; its keywords tell what the sensor is able to do</source>
+        <translation>информация о датчике; ключевые слова задают аппаратные возможности датчика</translation>
+    </message>
+    <message>
+        <source>take the sensor into the polling cycle?</source>
+        <translation>включать датчик в цикл опроса?</translation>
+    </message>
+    <message>
+        <source>number of the sensor on the site</source>
+        <translation>порядковый номер датчика на объекте</translation>
+    </message>
+    <message>
+        <source>address of the sensor on the line</source>
+        <translation>адрес датчика на линии</translation>
+    </message>
+    <message>
+        <source>works number of the primary transducer</source>
+        <translation>заводской номер первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>zero offset along X after the adjustment; in the file in arc-seconds</source>
+        <translation>смещение нуля датчика по X после юстировки; в файле — угл. сек.</translation>
+    </message>
+    <message>
+        <source>zero offset along Y after the adjustment; in the file in arc-seconds</source>
+        <translation>смещение нуля датчика по Y после юстировки; в файле — угл. сек.</translation>
+    </message>
+    <message>
+        <source>zero correction of the temperature sensor, °C; sensors without temperature have none</source>
+        <translation>коррекция нуля датчика температуры, °C; у датчиков без температуры отсутствует</translation>
+    </message>
+    <message>
+        <source>invert the axis Y of the sensor&apos;s coordinate system?</source>
+        <translation>инвертировать ось Y системы координат датчика?</translation>
+    </message>
+    <message>
+        <source>angle of the sensor&apos;s coordinate system against that of the site, degrees</source>
+        <translation>угол вращения системы координат датчика по отношению к системе координат объекта, угл. град.</translation>
+    </message>
+    <message>
+        <source>date when the sensor was installed</source>
+        <translation>дата установки датчика</translation>
+    </message>
+    <message>
+        <source>date when the sensor was last adjusted</source>
+        <translation>дата последней юстировки</translation>
+    </message>
+    <message>
+        <source>additional information about the sensor</source>
+        <translation>дополнительная информация о датчике</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>place of the sensor, shown in the tree</source>
+        <translation>место установки датчика, показывается в дереве</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>by the keywords of the comment</source>
+        <translation>по ключевым словам комментария</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Измеряет</translation>
+    </message>
+    <message>
+        <source>what the type is able to measure; AccelOn=0 leaves out the accelerations</source>
+        <translation>что умеет измерять датчик этого типа; AccelOn=0 исключает ускорения</translation>
+    </message>
+    <message>
+        <source>Thermostat</source>
+        <translation>Термостат</translation>
+    </message>
+    <message>
+        <source>by the keywords of the comment; fan and heater count in the status word</source>
+        <translation>по ключевым словам комментария; вентилятор и нагрев учитываются в слове состояния</translation>
+    </message>
+    <message>
+        <source>an option of this type of sensor</source>
+        <translation>параметр датчиков этого типа</translation>
+    </message>
+    <message>
+        <source>short description of the port&apos;s adapter</source>
+        <translation>краткое описание адаптера порта</translation>
+    </message>
+    <message>
+        <source>take the port into the polling cycle?</source>
+        <translation>включать порт в цикл опроса?</translation>
+    </message>
+    <message>
+        <source>name of the port in the operating system</source>
+        <translation>название порта в ОС</translation>
+    </message>
+    <message>
+        <source>speed of transmission, baud</source>
+        <translation>скорость передачи, бод</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Устройство</translation>
+    </message>
+    <message>
+        <source>opened instead of the port of that number: a path, COM4, tcp://host:port, sim:</source>
+        <translation>открывается вместо порта с этим номером: путь, COM4, tcp://узел:порт, sim:</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Биты данных</translation>
+    </message>
+    <message>
+        <source>5 … 8</source>
+        <translation>5 … 8</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Чётность</translation>
+    </message>
+    <message>
+        <source>N, E, O, M or S</source>
+        <translation>N, E, O, M или S</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Стоповые биты</translation>
+    </message>
+    <message>
+        <source>1, 1.5 or 2</source>
+        <translation>1, 1.5 или 2</translation>
+    </message>
+    <message>
+        <source>does the driver of the adapter control the direction?</source>
+        <translation>направлением передачи управляет драйвер адаптера?</translation>
+    </message>
+    <message>
+        <source>Sensors listed</source>
+        <translation>Датчиков в списке</translation>
+    </message>
+    <message>
+        <source>number of sensors connected to the port</source>
+        <translation>количество подключенных к порту датчиков</translation>
+    </message>
+    <message>
+        <source>short description of this copy of the program</source>
+        <translation>краткое описание копии программы</translation>
+    </message>
+    <message>
+        <source>number of the IP port for Modbus TCP</source>
+        <translation>номер IP порта для протокола Modbus TCP</translation>
+    </message>
+    <message>
+        <source>number of the IP port for Modbus TCP, switched off by CanModbus=0</source>
+        <translation>номер IP порта для протокола Modbus TCP, выключен (CanModbus=0)</translation>
+    </message>
+    <message>
+        <source>period of drawing the visible elements of the program</source>
+        <translation>период обновления визуальных элементов программы</translation>
+    </message>
+    <message>
+        <source>period of polling the COM ports</source>
+        <translation>период опроса COM-портов</translation>
+    </message>
+    <message>
+        <source>time for resources of the program at its start</source>
+        <translation>время, выделяемое для инициализации ресурсов программы</translation>
+    </message>
+    <message>
+        <source>period of saving the measurements in files</source>
+        <translation>период сохранения результатов измерений в файлах</translation>
+    </message>
+    <message>
+        <source>pause after a failed attempt to open a COM port</source>
+        <translation>задержка после неудачной попытки открытия COM-порта</translation>
+    </message>
+    <message>
+        <source>pause after closing a COM port, before it is opened again</source>
+        <translation>задержка после закрытия COM-порта перед повторным открытием</translation>
+    </message>
+    <message>
+        <source>time for an orderly end of the program; then it is ended by force</source>
+        <translation>время на штатное освобождение ресурсов программы при закрытии; затем она закрывается аварийно</translation>
+    </message>
+    <message>
+        <source>pause after another address is chosen</source>
+        <translation>время приостановки процесса после изменения адреса датчика</translation>
+    </message>
+    <message>
+        <source>pause after a polling cycle</source>
+        <translation>время приостановки процесса после завершения цикла опроса</translation>
+    </message>
+    <message>
+        <source>pause after a read error</source>
+        <translation>время приостановки процесса после ошибки чтения</translation>
+    </message>
+    <message>
+        <source>pause after a CRC error</source>
+        <translation>время приостановки процесса после ошибки CRC</translation>
+    </message>
+    <message>
+        <source>timeout of reading a command from a COM port</source>
+        <translation>таймаут чтения команды из COM-порта</translation>
+    </message>
+    <message>
+        <source>timeout of writing a command to a COM port</source>
+        <translation>таймаут записи команды в COM-порт</translation>
+    </message>
+    <message>
+        <source>timeout of reading data from a COM port</source>
+        <translation>таймаут чтения данных из COM-порта</translation>
+    </message>
+    <message>
+        <source>timeout of writing data to a COM port</source>
+        <translation>таймаут записи данных в COM-порт</translation>
+    </message>
+    <message>
+        <source>read errors in a row before the status word of the sensor says so</source>
+        <translation>количество ошибок чтения подряд, после которых выставляется флаг слова состояния датчика</translation>
+    </message>
+    <message>
+        <source>CRC errors in a row before the status word of the sensor says so</source>
+        <translation>количество ошибок CRC подряд, после которых выставляется флаг слова состояния датчика</translation>
+    </message>
+    <message>
+        <source>save measurements and the journal of events in files?</source>
+        <translation>сохранять результаты измерений и журнал событий в файлах?</translation>
+    </message>
+    <message>
+        <source>number of the last records on the tab of measurements</source>
+        <translation>количество последних записей, отображаемых во вкладке измерений</translation>
+    </message>
+    <message>
+        <source>number of records removed from the tab of measurements when it is full</source>
+        <translation>количество записей во вкладке измерений, которые удаляются после переполнения</translation>
+    </message>
+    <message>
+        <source>hide the window of the program in the tray at its start?</source>
+        <translation>сворачивать окно программы в трей при запуске?</translation>
+    </message>
+    <message>
+        <source>show a warning when the program is closed? (CanClose=0)</source>
+        <translation>выводить окно предупреждения при закрытии программы? (CanClose=0)</translation>
+    </message>
+    <message>
+        <source>allow copies of the program to run at the same time?</source>
+        <translation>разрешать одновременный запуск копий программы?</translation>
+    </message>
+    <message>
+        <source>show additional elements of the program?</source>
+        <translation>отображать дополнительные элементы программы?</translation>
+    </message>
+    <message>
+        <source>size of the accelerometer&apos;s ring; a packet holds 32 samples along X and Y</source>
+        <translation>размер циклического буфера акселерометра; в пакете 32 измерения по X и Y</translation>
+    </message>
+    <message>
+        <source>[Program]</source>
+        <translation>[Программа]</translation>
+    </message>
+    <message>
+        <source>Caption of the window</source>
+        <translation>Заголовок окна</translation>
+    </message>
+    <message>
+        <source>title of the window</source>
+        <translation>текст заголовка окна программы</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Язык</translation>
+    </message>
+    <message>
+        <source>language of the program: ru or en; --lang goes before it</source>
+        <translation>язык программы: ru или en; ключ --lang важнее</translation>
+    </message>
+    <message>
+        <source>Serial number of the copy</source>
+        <translation>Серийный номер копии</translation>
+    </message>
+    <message>
+        <source>kept, without any effect</source>
+        <translation>хранится, на работу не влияет</translation>
+    </message>
+    <message>
+        <source>Ports listed</source>
+        <translation>Портов в списке</translation>
+    </message>
+    <message>
+        <source>number of COM ports in the configuration file</source>
+        <translation>количество COM-портов в файле настроек</translation>
+    </message>
+    <message>
+        <source>Ask for information</source>
+        <translation>Запрашивать информацию</translation>
+    </message>
+    <message>
+        <source>ask sensors for additional information about their state?</source>
+        <translation>запрашивать дополнительную информацию о состоянии датчика?</translation>
+    </message>
+    <message>
+        <source>Buffers in a file</source>
+        <translation>Буферов в файле</translation>
+    </message>
+    <message>
+        <source>samples of acceleration in one binary file: %1 (SrsBufSize × 32 × SrsBufToSave)</source>
+        <translation>измерений ускорений в одном двоичном файле: %1 (SrsBufSize × 32 × SrsBufToSave)</translation>
+    </message>
+    <message>
+        <source>Gravity, m/s²</source>
+        <translation>Ускорение св. падения, м/с²</translation>
+    </message>
+    <message>
+        <source>acceleration of free fall, by which raw accelerations become mm/s²</source>
+        <translation>ускорение свободного падения для пересчёта ускорений в мм/с²</translation>
+    </message>
+    <message>
+        <source>Status bits of the original</source>
+        <translation>Биты статуса прежней программы</translation>
+    </message>
+    <message>
+        <source>print the status words as the original program did?</source>
+        <translation>выдавать слова состояния так, как прежняя программа?</translation>
+    </message>
+    <message>
+        <source>IP port of ADC24</source>
+        <translation>IP порт ADC24</translation>
+    </message>
+    <message>
+        <source>number of the IP port for ADC24 TCP</source>
+        <translation>номер IP порта для протокола ADC24 TCP</translation>
+    </message>
+    <message>
+        <source>OPC DA interface</source>
+        <translation>Интерфейс OPC DA</translation>
+    </message>
+    <message>
+        <source>serve OPC DA? Only one copy of the program may run then</source>
+        <translation>передавать данные по OPC DA? Тогда работает только одна копия программы</translation>
+    </message>
+    <message>
+        <source>Modbus TCP server</source>
+        <translation>Сервер Modbus TCP</translation>
+    </message>
+    <message>
+        <source>serve readings over Modbus TCP?</source>
+        <translation>передавать показания по протоколу Modbus TCP?</translation>
+    </message>
+    <message>
+        <source>Order of the sensors</source>
+        <translation>Порядок датчиков</translation>
+    </message>
+    <message>
+        <source>by type</source>
+        <translation>по типам</translation>
+    </message>
+    <message>
+        <source>by number</source>
+        <translation>по номерам</translation>
+    </message>
+    <message>
+        <source>in units 3 and 6: every sensor of the type in turn, or a place for every site number</source>
+        <translation>в адресах 3 и 6: датчики своего типа подряд или место для каждого номера на объекте</translation>
+    </message>
+    <message>
+        <source>First register</source>
+        <translation>Первый регистр</translation>
+    </message>
+    <message>
+        <source>where the registers of units 3 and 6 start: 0 or 1</source>
+        <translation>с чего начинаются регистры адресов 3 и 6: 0 или 1</translation>
+    </message>
+    <message>
+        <source>Clients at most</source>
+        <translation>Клиентов не более</translation>
+    </message>
+    <message>
+        <source>connections at the same time</source>
+        <translation>количество одновременных подключений</translation>
+    </message>
+    <message>
+        <source>Cut off silent clients</source>
+        <translation>Отключать молчащих клиентов</translation>
+    </message>
+    <message>
+        <source>after %1 s</source>
+        <translation>через %1 с</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>никогда</translation>
+    </message>
+    <message>
+        <source>how long a client may ask nothing</source>
+        <translation>сколько клиент может не присылать запросов</translation>
+    </message>
+    <message>
+        <source>Address of the server</source>
+        <translation>Адрес сервера</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>все</translation>
+    </message>
+    <message>
+        <source>IP address of this computer to serve on</source>
+        <translation>IP-адрес этого компьютера, на котором принимаются подключения</translation>
+    </message>
+    <message>
+        <source>Clients allowed</source>
+        <translation>Разрешённые клиенты</translation>
+    </message>
+    <message>
+        <source>addresses and blocks of addresses that may connect</source>
+        <translation>адреса и блоки адресов, которым разрешено подключаться</translation>
+    </message>
+    <message>
+        <source>the file gives “%1”, which cannot be used; “%2” is used</source>
+        <translation>в файле указано «%1», это значение использовать нельзя; используется «%2»</translation>
     </message>
 </context>
 <context>
@@ -1367,6 +1870,282 @@
     </message>
 </context>
 <context>
+    <name>StatusBits</name>
+    <message>
+        <source>polling is off</source>
+        <translation>опрос отключен</translation>
+    </message>
+    <message>
+        <source>angles are not valid or not ready</source>
+        <translation>результаты измерения углов наклона не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>temperature is not valid or not ready</source>
+        <translation>результаты измерения температуры не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>accelerations are not valid or not ready</source>
+        <translation>результаты измерения ускорений не достоверны или не готовы</translation>
+    </message>
+    <message>
+        <source>the exchange buffer of accelerations overran</source>
+        <translation>переполнение буфера обмена ускорений</translation>
+    </message>
+    <message>
+        <source>synchronisation error</source>
+        <translation>ошибка синхронизации</translation>
+    </message>
+    <message>
+        <source>the microcontroller has restarted</source>
+        <translation>произошла перезагрузка микроконтроллера</translation>
+    </message>
+    <message>
+        <source>the thermostat has not settled</source>
+        <translation>терморегулирование не завершено</translation>
+    </message>
+    <message>
+        <source>heating of the thermostat at minimum (fast cooling)</source>
+        <translation>минимальная мощность нагрева термостата (быстрое охлаждение)</translation>
+    </message>
+    <message>
+        <source>heating of the thermostat at maximum (fast heating)</source>
+        <translation>максимальная мощность нагрева термостата (быстрый нагрев)</translation>
+    </message>
+    <message>
+        <source>the thermostat is on</source>
+        <translation>термостат включен</translation>
+    </message>
+    <message>
+        <source>searching for its address</source>
+        <translation>поиск адреса</translation>
+    </message>
+    <message>
+        <source>error of the thermostat</source>
+        <translation>ошибка термостата</translation>
+    </message>
+    <message>
+        <source>error of the fan</source>
+        <translation>ошибка вентилятора</translation>
+    </message>
+    <message>
+        <source>temperature out of range</source>
+        <translation>температура вне диапазона</translation>
+    </message>
+    <message>
+        <source>temperature cannot be read</source>
+        <translation>ошибка чтения температуры</translation>
+    </message>
+    <message>
+        <source>the transducer is out of range</source>
+        <translation>первичный преобразователь вне диапазона</translation>
+    </message>
+    <message>
+        <source>CRC errors of the transducer</source>
+        <translation>ошибки CRC первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>the transducer does not answer</source>
+        <translation>первичный преобразователь не отвечает</translation>
+    </message>
+    <message>
+        <source>data of the fan are ready</source>
+        <translation>данные вентилятора готовы</translation>
+    </message>
+    <message>
+        <source>temperature is ready</source>
+        <translation>температура готова</translation>
+    </message>
+    <message>
+        <source>angles are ready</source>
+        <translation>углы готовы</translation>
+    </message>
+    <message>
+        <source>the restart was acknowledged</source>
+        <translation>перезагрузка подтверждена</translation>
+    </message>
+    <message>
+        <source>bit %1: %2</source>
+        <translation>бит %1: %2</translation>
+    </message>
+    <message>
+        <source>code %1: %2</source>
+        <translation>код %1: %2</translation>
+    </message>
+    <message>
+        <source>Status word of the sensor: the code of the error, then bits 11…0</source>
+        <translation>Слово состояния датчика: код ошибки, затем биты 11…0</translation>
+    </message>
+    <message>
+        <source>bits 11 and 10 do not count: the sensor has no thermostat</source>
+        <translation>биты 11 и 10 не учитываются: у датчика нет термостата</translation>
+    </message>
+    <message>
+        <source>mode, bit 6: the recording of accelerations is stopped</source>
+        <translation>режим, бит 6: запись ускорений остановлена</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AlarmWatch</name>
+    <message numerus="yes">
+        <source>Accepted by the dispatcher: %n message(s)</source>
+        <translation>
+            <numerusform>Принято диспетчером: %n сообщение</numerusform>
+            <numerusform>Принято диспетчером: %n сообщения</numerusform>
+            <numerusform>Принято диспетчером: %n сообщений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted by the dispatcher: %1</source>
+        <translation>Принято диспетчером: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::And3Dialog</name>
+    <message>
+        <source>Nothing was written that needs a reset. Restart sensor %1? Its memory of samples is lost.</source>
+        <translation>Сброс не требуется: ничего не записано. Перезапустить датчик %1? Накопленные в нём измерения будут потеряны.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart</source>
+        <translation>&amp;Перезапустить</translation>
+    </message>
+    <message>
+        <source>Sensor %1 restarts with its new address %2; nobody has seen it there yet. Leave all the same?</source>
+        <translation>Датчик %1 перезапускается с новым адресом %2, но ещё не проверено, что он отвечает. Всё равно выйти?</translation>
+    </message>
+    <message>
+        <source>The new address %2 of sensor %1 is stored, but it holds only after a system reset. Leave without it?</source>
+        <translation>Новый адрес %2 датчика %1 записан, но вступит в силу только после сброса системы. Выйти без сброса?</translation>
+    </message>
+    <message>
+        <source>Reading sensor %1…</source>
+        <translation>Чтение параметров датчика %1…</translation>
+    </message>
+    <message>
+        <source>Sensor %1 cannot be read: %2.</source>
+        <translation>Параметры датчика %1 не прочитаны: %2.</translation>
+    </message>
+    <message>
+        <source>new address %1</source>
+        <translation>новый адрес %1</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>new address %1 stored, it holds after a system reset</source>
+        <translation>новый адрес %1 записан, вступит в силу после сброса системы</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2</source>
+        <translation>Датчик %1: %2</translation>
+    </message>
+    <message>
+        <source>The new address %1 is stored in the sensor. Press &lt;System reset&gt; so that the sensor takes it.</source>
+        <translation>Новый адрес %1 записан в датчик. Чтобы он вступил в силу, нажмите &lt;Сброс системы&gt;.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>ОК</translation>
+    </message>
+    <message>
+        <source>system reset</source>
+        <translation>сброс системы</translation>
+    </message>
+    <message>
+        <source>The sensor restarts…</source>
+        <translation>Датчик перезапускается…</translation>
+    </message>
+    <message>
+        <source>system reset sent</source>
+        <translation>команда сброса системы отправлена</translation>
+    </message>
+    <message>
+        <source>system reset not sent: %1</source>
+        <translation>команда сброса системы не отправлена: %1</translation>
+    </message>
+    <message>
+        <source>the sensor answers at its new address %1</source>
+        <translation>датчик отвечает по новому адресу %1</translation>
+    </message>
+    <message>
+        <source>the sensor still answers at its old address after the reset. Write the new one again.</source>
+        <translation>после сброса датчик отвечает по прежнему адресу. Запишите новый адрес ещё раз.</translation>
+    </message>
+    <message>
+        <source>the sensor answers neither at %1 nor at %2 after the reset. Scan again; check its power.</source>
+        <translation>после сброса датчик не отвечает ни по адресу %1, ни по адресу %2. Повторите сканирование, проверьте питание.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::And3Form</name>
+    <message>
+        <source>Exchange</source>
+        <translation>Параметры обмена</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Изменить</translation>
+    </message>
+    <message>
+        <source>The address of %1 is changed in the group &lt;System&gt;.</source>
+        <translation>Адрес %1 изменяется в группе &lt;Система&gt;.</translation>
+    </message>
+    <message>
+        <source>&amp;Address on the line:</source>
+        <translation>&amp;Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Данные</translation>
+    </message>
+    <message>
+        <source>Temperature, °C:</source>
+        <translation>Температура, °C:</translation>
+    </message>
+    <message>
+        <source>Tilt X, Y, ″:</source>
+        <translation>Наклон X, Y, ″:</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>Система</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>За&amp;пись</translation>
+    </message>
+    <message>
+        <source>System &amp;reset</source>
+        <translation>Сброс с&amp;истемы</translation>
+    </message>
+    <message>
+        <source>Restarts the controller of the sensor, about five seconds. Its memory of samples is lost.</source>
+        <translation>Перезапускает контроллер датчика, около пяти секунд. Накопленные в датчике измерения теряются.</translation>
+    </message>
+    <message>
+        <source>Set a &amp;new address:</source>
+        <translation>За&amp;дать новый адр.:</translation>
+    </message>
+    <message>
+        <source>Current address:</source>
+        <translation>Текущий адрес:</translation>
+    </message>
+    <message>
+        <source>Firmware:</source>
+        <translation>Версия ПО:</translation>
+    </message>
+    <message>
+        <source>Addresses where nobody answered</source>
+        <translation>Адреса, по которым никто не ответил</translation>
+    </message>
+    <message>
+        <source>The address can be changed only after a complete scan that was not stopped.</source>
+        <translation>Изменить адрес можно только после полного сканирования, без остановки.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Application</name>
     <message>
         <source>Gorizont Server %1 started</source>
@@ -1399,13 +2178,236 @@
         <source>Show</source>
         <translation>Показать</translation>
     </message>
+    <message>
+        <source>Accept</source>
+        <translation>Принять</translation>
+    </message>
+    <message>
+        <source>The messages are known: they leave the list, the sensors stay marked until they work again</source>
+        <translation>Сообщения приняты к сведению: они уходят из списка, а датчики остаются отмеченными, пока не заработают</translation>
+    </message>
+    <message>
+        <source>%1. The newest message: %2</source>
+        <translation>%1. Последнее сообщение: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AttentionDialog</name>
+    <message>
+        <source>Messages for the dispatcher</source>
+        <translation>Сообщения для диспетчера</translation>
+    </message>
+    <message>
+        <source>&amp;Accept</source>
+        <translation>&amp;Принять</translation>
+    </message>
+    <message>
+        <source>Accept a&amp;ll</source>
+        <translation>Принять &amp;все</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>There are no messages</source>
+        <translation>Сообщений нет</translation>
+    </message>
+    <message>
+        <source>accepted, not mended yet: %1</source>
+        <translation>принято, но ещё не устранено: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::AttentionModel</name>
+    <message>
+        <source>Since</source>
+        <translation>Возникло</translation>
+    </message>
+    <message>
+        <source>Sensor or port</source>
+        <translation>Датчик или порт</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место установки</translation>
+    </message>
+    <message>
+        <source>What has happened</source>
+        <translation>Что произошло</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Что делать</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ChangeText</name>
+    <message>
+        <source>the new address %1 is taken; nothing was stored. Scan again.</source>
+        <translation>новый адрес %1 занят; ничего не записано. Повторите сканирование.</translation>
+    </message>
+    <message>
+        <source>asking the sensor before the change failed (%1); nothing was stored</source>
+        <translation>проверка датчика перед изменением не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>copying the configuration failed (%1); nothing was stored</source>
+        <translation>копирование конфигурации не удалось (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>checking the copied configuration failed (%1); nothing was stored</source>
+        <translation>проверка копии конфигурации не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>setting the new address %2 failed (%1); nothing was stored</source>
+        <translation>установка нового адреса %2 не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>checking the new address %2 failed (%1); nothing was stored</source>
+        <translation>проверка нового адреса %2 не удалась (%1); ничего не записано</translation>
+    </message>
+    <message>
+        <source>name “%1”</source>
+        <translation>имя «%1»</translation>
+    </message>
+    <message>
+        <source>zero offset X %1″, Y %2″</source>
+        <translation>смещение нуля X %1″, Y %2″</translation>
+    </message>
+    <message>
+        <source>averaging ticks %1</source>
+        <translation>тактов усреднения %1</translation>
+    </message>
+    <message>
+        <source>averaging period %1 ms</source>
+        <translation>период усреднения %1 мс</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>записано</translation>
+    </message>
+    <message>
+        <source>not written, the sensor does not take it</source>
+        <translation>не записано, датчик не принимает значение</translation>
+    </message>
+    <message>
+        <source>not written, the sensor still has another value</source>
+        <translation>не записано, в датчике осталось другое значение</translation>
+    </message>
+    <message>
+        <source>%1: whether it was written is not known, check it</source>
+        <translation>%1: записано или нет, неизвестно, проверьте</translation>
+    </message>
+    <message>
+        <source>storing the new address %2 failed (%1); whether it was stored is not known. Write again before a reset.</source>
+        <translation>запись нового адреса %2 не удалась (%1); записан ли он, неизвестно. Повторите запись до сброса.</translation>
+    </message>
+    <message>
+        <source>the new address %2 was stored, but checking the stored configuration failed (%1). Write again before a reset.</source>
+        <translation>новый адрес %2 записан, но проверка записанной конфигурации не удалась (%1). Повторите запись до сброса.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ClientModel</name>
+    <message>
+        <source>What the client is connected to</source>
+        <translation>К чему подключён клиент</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>Сервер</translation>
+    </message>
+    <message>
+        <source>Address and port of the client</source>
+        <translation>Адрес и порт клиента</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Клиент</translation>
+    </message>
+    <message>
+        <source>When the client connected</source>
+        <translation>Когда клиент подключился</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Подключён</translation>
+    </message>
+    <message>
+        <source>Requests answered</source>
+        <translation>Запросов, на которые отвечено</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Запросов</translation>
+    </message>
+    <message>
+        <source>How long ago the last request came</source>
+        <translation>Сколько времени назад был последний запрос</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Последний</translation>
+    </message>
+    <message>
+        <source>Requests answered with an exception or not at all</source>
+        <translation>Запросов, на которые отвечено исключением или не отвечено</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Ошибок</translation>
+    </message>
+    <message>
+        <source>Bytes received from the client</source>
+        <translation>Байт принято от клиента</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Принято</translation>
+    </message>
+    <message>
+        <source>Bytes sent to the client</source>
+        <translation>Байт отправлено клиенту</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Отправлено</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ClientsPage</name>
+    <message>
+        <source>&amp;Disconnect…</source>
+        <translation>&amp;Отключить…</translation>
+    </message>
+    <message>
+        <source>Nobody is connected.</source>
+        <translation>Никто не подключён.</translation>
+    </message>
+    <message>
+        <source>Disconnect the client %1 from %2?</source>
+        <translation>Отключить клиента %1 от %2?</translation>
+    </message>
     <message numerus="yes">
-        <source>%n sensor(s) need attention</source>
+        <source>Disconnect %n client(s)?</source>
         <translation>
-            <numerusform>%n датчик требует внимания</numerusform>
-            <numerusform>%n датчика требуют внимания</numerusform>
-            <numerusform>%n датчиков требуют внимания</numerusform>
+            <numerusform>Отключить %n клиента?</numerusform>
+            <numerusform>Отключить %n клиентов?</numerusform>
+            <numerusform>Отключить %n клиентов?</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A client may connect again at once; ModbusAllow keeps it out for good.</source>
+        <translation>Клиент может сразу подключиться снова; навсегда его не пустит ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Отключить</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
     </message>
 </context>
 <context>
@@ -1436,6 +2438,89 @@
     <message>
         <source>the file is far too large to be a configuration</source>
         <translation>файл слишком велик для файла настроек</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::DeskSentences</name>
+    <message>
+        <source>%1: serving on port %2.</source>
+        <translation>%1: сервер работает на порту %2.</translation>
+    </message>
+    <message>
+        <source>%1: stopped.</source>
+        <translation>%1: сервер остановлен.</translation>
+    </message>
+    <message>
+        <source>%1: cannot serve on port %2 (%3). %4 Trying again every %5 s.</source>
+        <translation>%1: порт %2 недоступен (%3). %4 Попытки повторяются каждые %5 с.</translation>
+    </message>
+    <message>
+        <source>Another program uses this port. Stop that program or choose another %1.</source>
+        <translation>Этот порт занят другой программой. Завершите её или выберите другой %1.</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need a right. Choose another %1, or give the right once: sudo setcap cap_net_bind_service=+ep %2</source>
+        <translation>Для портов ниже 1024 нужно право. Выберите другой %1 или дайте право один раз: sudo setcap cap_net_bind_service=+ep %2</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address given in ModbusBind.</source>
+        <translation>У этого компьютера нет адреса, указанного в ModbusBind.</translation>
+    </message>
+    <message>
+        <source>Check %1 and ModbusBind.</source>
+        <translation>Проверьте %1 и ModbusBind.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusBind is not an IP address. Not serving until it is corrected.</source>
+        <translation>%1: «%2» в ModbusBind — не IP-адрес. Сервер не работает, пока он не исправлен.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; in ModbusAllow is neither an address nor a block of addresses. It is left out.</source>
+        <translation>%1: «%2» в ModbusAllow — не адрес и не блок адресов. Значение пропущено.</translation>
+    </message>
+    <message>
+        <source>%1: new clients cannot be accepted (%2). Those connected are served on. Trying again every second.</source>
+        <translation>%1: новые клиенты не принимаются (%2). Подключённые обслуживаются. Попытки повторяются каждую секунду.</translation>
+    </message>
+    <message>
+        <source>%1: new clients are accepted again.</source>
+        <translation>%1: новые клиенты снова принимаются.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 connected.</source>
+        <translation>%1: клиент %2 подключился.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 has not been here since %3.</source>
+        <translation>%1: клиента %2 не было с %3.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 (its port %3) was cut off by the operator.</source>
+        <translation>%1: клиент %2 (его порт %3) отключён оператором.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was refused: ModbusAllow does not list it.</source>
+        <translation>%1: клиенту %2 отказано: его нет в ModbusAllow.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it does not speak %1 (wrong length of a request).</source>
+        <translation>%1: клиент %2 отключён: его запросы не по протоколу %1 (неверная длина).</translation>
+    </message>
+    <message>
+        <source>%1: client %2 sends what is no request (wrong length, address or command) and gets no answer.</source>
+        <translation>%1: клиент %2 присылает не запросы (неверная длина, адрес или команда), ответа на них нет.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asks and does not read the answers.</source>
+        <translation>%1: клиент %2 отключён: он запрашивает, но не читает ответы.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected: it asked nothing for longer than ModbusIdle.</source>
+        <translation>%1: клиент %2 отключён: не было запросов дольше ModbusIdle.</translation>
+    </message>
+    <message>
+        <source>%1: client %2 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
+        <translation>%1: клиент %2 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
     </message>
 </context>
 <context>
@@ -1516,6 +2601,172 @@
     </message>
 </context>
 <context>
+    <name>gorizont::Ind3Dialog</name>
+    <message>
+        <source>C&amp;hange</source>
+        <translation>&amp;Изменить</translation>
+    </message>
+    <message>
+        <source>Apply the ne&amp;w settings</source>
+        <translation>Применить &amp;новые настройки</translation>
+    </message>
+    <message>
+        <source>Only sensors that speak this protocol are found. Another choice begins a new scan.</source>
+        <translation>Обнаруживаются только датчики с этим протоколом. При выборе другого начинается новое сканирование.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Н&amp;е применять</translation>
+    </message>
+    <message>
+        <source>Gives the sensor another address</source>
+        <translation>Задать датчику другой адрес</translation>
+    </message>
+    <message>
+        <source>The address can be changed only after a complete scan that was not stopped.</source>
+        <translation>Изменить адрес можно только после полного сканирования, без остановки.</translation>
+    </message>
+    <message>
+        <source>The new settings of sensor %1 were not applied. Discard them?</source>
+        <translation>Новые настройки датчика %1 не применены. Продолжить без них?</translation>
+    </message>
+    <message>
+        <source>Reading sensor %1…</source>
+        <translation>Чтение параметров датчика %1…</translation>
+    </message>
+    <message>
+        <source>Sensor %1 cannot be read: %2.</source>
+        <translation>Параметры датчика %1 не прочитаны: %2.</translation>
+    </message>
+    <message>
+        <source>The sensor reports that a check sum of its memory is wrong: it needs repair.</source>
+        <translation>Датчик сообщает об ошибке контрольной суммы своей памяти: требуется ремонт.</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>%1, not written</source>
+        <translation>%1, не записано</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2.</source>
+        <translation>Датчик %1: %2.</translation>
+    </message>
+    <message>
+        <source>new address %1</source>
+        <translation>новый адрес %1</translation>
+    </message>
+    <message>
+        <source>%1, written</source>
+        <translation>%1, записано</translation>
+    </message>
+    <message>
+        <source>%1, not written: it is taken, or the sensor will not. Scan again.</source>
+        <translation>%1, не записано: адрес занят, или датчик его не принимает. Повторите сканирование.</translation>
+    </message>
+    <message>
+        <source>%1, not written: the sensor still answers at %2</source>
+        <translation>%1, не записано: датчик отвечает по прежнему адресу %2</translation>
+    </message>
+    <message>
+        <source>%1, %2: whether it was written is not known. Scan the line to find the sensor.</source>
+        <translation>%1, %2: записано или нет, неизвестно. Найдите датчик сканированием.</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2</source>
+        <translation>Датчик %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Ind3Form</name>
+    <message>
+        <source>Exchange</source>
+        <translation>Параметры обмена</translation>
+    </message>
+    <message>
+        <source>Up to %1 characters: Latin, Cyrillic, digits and signs. The sensor keeps the name.</source>
+        <translation>До %1 символов: латиница, кириллица, цифры и специальные символы. Имя хранится в датчике.</translation>
+    </message>
+    <message>
+        <source>The speed is shown only; this program does not change it.</source>
+        <translation>Скорость обмена только отображается, её изменение не допускается.</translation>
+    </message>
+    <message>
+        <source>&amp;Address on the line:</source>
+        <translation>&amp;Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the sensor:</source>
+        <translation>И&amp;мя измерителя:</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Скорость обмена:</translation>
+    </message>
+    <message>
+        <source>&amp;Protocol:</source>
+        <translation>&amp;Протокол обмена:</translation>
+    </message>
+    <message>
+        <source>About the device</source>
+        <translation>Об устройстве</translation>
+    </message>
+    <message>
+        <source>Version of the sensor:</source>
+        <translation>Версия измерителя:</translation>
+    </message>
+    <message>
+        <source>Software revision:</source>
+        <translation>Номер редакции ПО:</translation>
+    </message>
+    <message>
+        <source>Factory number:</source>
+        <translation>Заводской номер:</translation>
+    </message>
+    <message>
+        <source>Arc-seconds, from −%1 to +%1. Point and comma are both decimal marks.</source>
+        <translation>Угловые секунды, от −%1 до +%1. Дробная часть отделяется точкой или запятой.</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Параметры измерения</translation>
+    </message>
+    <message>
+        <source>Zero offset &amp;X, ″:</source>
+        <translation>Смещение нуля &amp;X, ″:</translation>
+    </message>
+    <message>
+        <source>Averaging &amp;ticks:</source>
+        <translation>&amp;Тактов усреднения:</translation>
+    </message>
+    <message>
+        <source>Zero offset &amp;Y, ″:</source>
+        <translation>Смещение нуля &amp;Y, ″:</translation>
+    </message>
+    <message>
+        <source>Averaging p&amp;eriod, ms:</source>
+        <translation>П&amp;ериод усреднения, мс:</translation>
+    </message>
+    <message>
+        <source>Tilt X, Y now, ″:</source>
+        <translation>Наклон X, Y сейчас, ″:</translation>
+    </message>
+    <message>
+        <source>Type %1, revision %2</source>
+        <translation>Тип %1, редакция %2</translation>
+    </message>
+    <message>
+        <source>The name needs 1…%1 characters: Latin, Cyrillic, digits and signs.</source>
+        <translation>Имя: 1…%1 символов, латиница, кириллица, цифры, специальные символы.</translation>
+    </message>
+    <message>
+        <source>An offset is a number from −%1 to +%1.</source>
+        <translation>Смещение нуля: число от −%1 до +%1.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::InfoPanel</name>
     <message>
         <source>Settings</source>
@@ -1547,6 +2798,18 @@
     <message>
         <source>Information</source>
         <translation>Информация</translation>
+    </message>
+    <message>
+        <source>Text of the event</source>
+        <translation>Текст события</translation>
+    </message>
+    <message>
+        <source>No event passes this filter.</source>
+        <translation>Нет событий, подходящих под этот фильтр.</translation>
+    </message>
+    <message>
+        <source>No events yet.</source>
+        <translation>Событий пока нет.</translation>
     </message>
 </context>
 <context>
@@ -1665,8 +2928,28 @@
         <translation>&amp;О программе</translation>
     </message>
     <message>
+        <source>Messages for the &amp;dispatcher</source>
+        <translation>Сооб&amp;щения для диспетчера</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>О&amp;бновить</translation>
+    </message>
+    <message>
+        <source>Restore &amp;columns</source>
+        <translation>&amp;Восстановить столбцы</translation>
+    </message>
+    <message>
+        <source>&amp;Service</source>
+        <translation>С&amp;ервис</translation>
+    </message>
+    <message>
         <source>Modbus &amp;register map…</source>
         <translation>Карта &amp;регистров Modbus…</translation>
+    </message>
+    <message>
+        <source>C&amp;lients</source>
+        <translation>&amp;Клиенты</translation>
     </message>
 </context>
 <context>
@@ -1698,6 +2981,68 @@
     <message>
         <source>%1: status</source>
         <translation>%1: статус</translation>
+    </message>
+    <message>
+        <source>Time and date of the record</source>
+        <translation>Время и дата записи</translation>
+    </message>
+    <message>
+        <source>Status word of the channel, the first port at the right: 0 no errors, 1 cannot be opened, 2 write errors, 3 off or not there</source>
+        <translation>Слово состояния канала, первый порт справа: 0 — нет ошибок, 1 — не открывается, 2 — ошибки записи, 3 — опрос отключен или порта нет</translation>
+    </message>
+    <message>
+        <source>%1: angle along X, arc-seconds</source>
+        <translation>%1: угол наклона по X, угл. сек.</translation>
+    </message>
+    <message>
+        <source>%1: angle along Y, arc-seconds</source>
+        <translation>%1: угол наклона по Y, угл. сек.</translation>
+    </message>
+    <message>
+        <source>%1: temperature, °C; empty if the sensor has none</source>
+        <translation>%1: температура, °C; пусто, если датчик её не измеряет</translation>
+    </message>
+    <message>
+        <source>%1: power of the thermostat&apos;s heater, %</source>
+        <translation>%1: мощность нагревательного элемента термостата, %</translation>
+    </message>
+    <message>
+        <source>%1: status word, the code and bits 11…0</source>
+        <translation>%1: слово состояния датчика, код и биты 11…0</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::MeasurementsPage</name>
+    <message>
+        <source>No measurement yet: a line comes every %1 s.</source>
+        <translation>Измерений пока нет: строка добавляется каждые %1 с.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::NewAddressDialog</name>
+    <message>
+        <source>New address</source>
+        <translation>Новый адрес</translation>
+    </message>
+    <message>
+        <source>Addresses where a sensor was found are not offered.</source>
+        <translation>Адреса обнаруженных датчиков не предлагаются.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Применить</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
+    </message>
+    <message>
+        <source>Address on the line:</source>
+        <translation>Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>&amp;New address:</source>
+        <translation>&amp;Новый адрес:</translation>
     </message>
 </context>
 <context>
@@ -1760,6 +3105,41 @@
     </message>
 </context>
 <context>
+    <name>gorizont::PortGroup</name>
+    <message>
+        <source>COM port</source>
+        <translation>COM-порт</translation>
+    </message>
+    <message>
+        <source>Number:</source>
+        <translation>Номер:</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Скорость обмена:</translation>
+    </message>
+    <message>
+        <source>The configuration file decides about the port.</source>
+        <translation>Параметры порта определяет файл конфигурации.</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Открыть</translation>
+    </message>
+    <message>
+        <source>Ends service: the sensors of the port are polled again. The window stays.</source>
+        <translation>Завершает сервисный режим: опрос датчиков порта продолжается. Окно остаётся открытым.</translation>
+    </message>
+    <message>
+        <source>Takes the port into service again and scans it.</source>
+        <translation>Снова переводит порт в сервисный режим и сканирует линию.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::PortModel</name>
     <message>
         <source>How long the port has been open, h:mm:ss</source>
@@ -1801,6 +3181,21 @@
         <source>Attempts</source>
         <translation>Попыток</translation>
     </message>
+    <message>
+        <source>Logical name of the port</source>
+        <translation>Логическое название порта</translation>
+    </message>
+    <message>
+        <source>Present state of the port</source>
+        <translation>Текущее состояние порта</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::PortsPage</name>
+    <message>
+        <source>The configuration file lists no ports.</source>
+        <translation>В файле настроек нет портов.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::PropertyModel</name>
@@ -1810,11 +3205,15 @@
     </message>
     <message>
         <source>Value</source>
-        <translation>Описание</translation>
+        <translation>Значение</translation>
     </message>
     <message>
         <source>Note</source>
         <translation>Пояснение</translation>
+    </message>
+    <message>
+        <source>in the configuration file: %1</source>
+        <translation>в файле настроек: %1</translation>
     </message>
 </context>
 <context>
@@ -1849,6 +3248,41 @@
     </message>
 </context>
 <context>
+    <name>gorizont::ScanPanel</name>
+    <message>
+        <source>Sensors found on the line:</source>
+        <translation>Всего обнаружено датчиков на линии:</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>О&amp;становить</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>&amp;Сканировать</translation>
+    </message>
+    <message>
+        <source>Address %1 of %2 is asked.</source>
+        <translation>Опрашивается адрес %1 из %2.</translation>
+    </message>
+    <message>
+        <source>Found: %1.</source>
+        <translation>Обнаружены: %1.</translation>
+    </message>
+    <message>
+        <source>Unclear: %1. Somebody answers there, but the answers are damaged: two sensors with one address look like that. Disconnect one of them and scan again.</source>
+        <translation>Неясно: %1. Оттуда приходят повреждённые ответы: так выглядят два датчика с одним адресом. Отключите один из них и повторите сканирование.</translation>
+    </message>
+    <message>
+        <source>Nobody answers. Check power, cable and speed.</source>
+        <translation>Никто не отвечает. Проверьте питание, кабель и скорость обмена.</translation>
+    </message>
+    <message>
+        <source>The scan is not complete: a sensor cannot get a new address before all %1 addresses were asked.</source>
+        <translation>Сканирование неполное: изменить адрес датчика можно, когда опрошены все %1 адресов.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::SensorModel</name>
     <message>
         <source>Angle along X, degrees</source>
@@ -1877,10 +3311,6 @@
     <message>
         <source>Power of the thermostat&apos;s heater, %</source>
         <translation>Мощность нагревательного элемента термостата, %</translation>
-    </message>
-    <message>
-        <source>Status word of the sensor: the code, then bits 11…0</source>
-        <translation>Слово состояния датчика: код, затем биты 11…0</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -1918,12 +3348,179 @@
         <source>Status</source>
         <translation>Статус</translation>
     </message>
+    <message>
+        <source>%1 arc-seconds</source>
+        <translation>%1 угл. сек.</translation>
+    </message>
+    <message>
+        <source>along X %1, along Y %2 mm/s²</source>
+        <translation>по X %1, по Y %2 мм/с²</translation>
+    </message>
+    <message>
+        <source>Logical name of the sensor: number, type, place, address</source>
+        <translation>Логическое название датчика: номер, тип, место установки, адрес</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SensorsPage</name>
+    <message>
+        <source>The configuration file lists no sensors.</source>
+        <translation>В файле настроек нет датчиков.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::SerialLine</name>
     <message>
         <source>there is no such device</source>
         <translation>нет такого устройства</translation>
+    </message>
+    <message>
+        <source>the adapter does not know RS485=1</source>
+        <translation>адаптер не поддерживает RS485=1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceDesk</name>
+    <message>
+        <source>Select a port in the tree first.</source>
+        <translation>Сначала выберите порт в дереве.</translation>
+    </message>
+    <message>
+        <source>The port is off (On=0).</source>
+        <translation>Порт выключен (On=0).</translation>
+    </message>
+    <message>
+        <source>The port is in service already.</source>
+        <translation>Порт уже в сервисном режиме.</translation>
+    </message>
+    <message>
+        <source>The port is not open.</source>
+        <translation>Порт не открыт.</translation>
+    </message>
+    <message>
+        <source>There is no %1 in the list of this port.</source>
+        <translation>В списке датчиков этого порта нет %1.</translation>
+    </message>
+    <message>
+        <source>%1 goes into service mode: the monitoring of all its sensors is suspended.</source>
+        <translation>%1 переводится в сервисный режим: мониторинг всех его датчиков приостанавливается.</translation>
+    </message>
+    <message>
+        <source>Until the service window is closed, screens, files and clients keep the last values, marked as not valid. The other ports go on.</source>
+        <translation>Пока окно настройки открыто, на экране, в файлах и у клиентов остаются последние значения с признаком недостоверности. Остальные порты работают.</translation>
+    </message>
+    <message>
+        <source>&amp;OK</source>
+        <translation>&amp;ОК</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceDialog</name>
+    <message>
+        <source>%1, the program ended before the answer came: whether it was written is not known, check it</source>
+        <translation>%1, программа завершилась до ответа датчика: записано или нет, неизвестно, проверьте</translation>
+    </message>
+    <message>
+        <source>The port goes into service mode…</source>
+        <translation>Порт переводится в сервисный режим…</translation>
+    </message>
+    <message>
+        <source>The window closes as soon as the sensor has answered.</source>
+        <translation>Окно закроется, как только датчик ответит.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave</source>
+        <translation>В&amp;ыйти</translation>
+    </message>
+    <message>
+        <source>Service has ended, the sensors of the port are polled again.</source>
+        <translation>Сервисный режим завершён, опрос датчиков порта продолжается.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Н&amp;е применять</translation>
+    </message>
+    <message>
+        <source>%1, %2 address %3: %4</source>
+        <translation>%1, %2 адрес %3: %4</translation>
+    </message>
+    <message>
+        <source>Ex&amp;it</source>
+        <translation>&amp;Выход</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>Верн&amp;уться</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceSession</name>
+    <message>
+        <source>The port is in service already.</source>
+        <translation>Порт уже в сервисном режиме.</translation>
+    </message>
+    <message>
+        <source>The program is about to end.</source>
+        <translation>Программа завершает работу.</translation>
+    </message>
+    <message>
+        <source>The port is not open. Check the adapter and its cable.</source>
+        <translation>Порт не открыт. Проверьте адаптер и кабель.</translation>
+    </message>
+    <message>
+        <source>%1 is gone (%2). Service has ended; polling goes on as soon as the port is back.</source>
+        <translation>%1 пропал (%2). Сервисный режим завершён; опрос продолжится, когда порт появится.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ServiceText</name>
+    <message>
+        <source>no answer</source>
+        <translation>нет ответа</translation>
+    </message>
+    <message>
+        <source>the answers are damaged</source>
+        <translation>ответы повреждены</translation>
+    </message>
+    <message>
+        <source>the answer is not the expected one</source>
+        <translation>ответ не тот, что ожидался</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>the port is gone</source>
+        <translation>порт пропал</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>прервано</translation>
+    </message>
+    <message>
+        <source>Settings of %1 sensors</source>
+        <translation>Настройка датчиков %1</translation>
+    </message>
+    <message>
+        <source>Settings of %1 sensors on %2</source>
+        <translation>Настройка датчиков %1 на %2</translation>
+    </message>
+    <message>
+        <source>No sensor of the configuration file has this address; add one to [Port%1] so that it is polled.</source>
+        <translation>В файле конфигурации нет датчика с прежним адресом; чтобы датчик опрашивался, добавьте его в [Port%1].</translation>
+    </message>
+    <message>
+        <source>Write adr%2=%3 into [Port%1] of the configuration file and start the program again: until then it polls address %4.</source>
+        <translation>Исправьте в файле конфигурации [Port%1] adr%2=%3 и перезапустите программу: до этого она опрашивает адрес %4.</translation>
+    </message>
+    <message>
+        <source>%1 (N %2 in the ini)</source>
+        <translation>%1 (в ini: N %2)</translation>
     </message>
 </context>
 <context>
@@ -1987,6 +3584,10 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <source>Find a sensor (Ctrl+F)</source>
         <translation>Найти датчик (Ctrl+F)</translation>
     </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Ничего не найдено</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::SiteTreeModel</name>
@@ -2023,6 +3624,10 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Sensor</source>
         <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>Clients</source>
+        <translation>Клиенты</translation>
     </message>
 </context>
 <context>
@@ -2087,8 +3692,20 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
 <context>
     <name>gorizont::TableView</name>
     <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Копировать</translation>
+        <source>Copy the &amp;cell</source>
+        <translation>Копировать &amp;ячейку</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;rows</source>
+        <translation>Копировать &amp;строки</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;table</source>
+        <translation>Копировать &amp;таблицу</translation>
+    </message>
+    <message>
+        <source>Restore the columns</source>
+        <translation>Восстановить столбцы</translation>
     </message>
 </context>
 <context>
@@ -2100,6 +3717,545 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>E&amp;xit</source>
         <translation>В&amp;ыход</translation>
+    </message>
+    <message>
+        <source>Messages for the dispatcher: %1</source>
+        <translation>Сообщений для диспетчера: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::tool::Text</name>
+    <message>
+        <source>address %1 is taken; nothing was changed</source>
+        <translation>адрес %1 занят; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>nothing was changed (%1)</source>
+        <translation>ничего не изменено (%1)</translation>
+    </message>
+    <message>
+        <source>the configuration of the sensor is not as expected; nothing was stored</source>
+        <translation>конфигурация датчика не такая, как ожидалось; ничего не записано</translation>
+    </message>
+    <message>
+        <source>nothing was stored (%1)</source>
+        <translation>ничего не записано (%1)</translation>
+    </message>
+    <message>
+        <source>whether the new address was stored is not known (%1); the old one holds until a restart</source>
+        <translation>неизвестно, записан ли новый адрес (%1); до сброса действует прежний</translation>
+    </message>
+    <message>
+        <source>the sensor restarts, about %1 s…</source>
+        <translation>датчик перезапускается, около %1 с…</translation>
+    </message>
+    <message>
+        <source>Store the address %2 in the sensor with address %1?</source>
+        <translation>Записать в датчик с адресом %1 новый адрес %2?</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>ничего не записано</translation>
+    </message>
+    <message>
+        <source>The address is stored. Restart the sensor, so that it holds?</source>
+        <translation>Адрес записан. Сбросить датчик, чтобы он подействовал?</translation>
+    </message>
+    <message>
+        <source>the new address is stored and holds after the next restart</source>
+        <translation>новый адрес записан и подействует после следующего сброса</translation>
+    </message>
+    <message>
+        <source>the new address is stored, but the sensor does not answer there (%1); scan the line</source>
+        <translation>новый адрес записан, но датчик по нему не отвечает (%1); выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>The sensor now answers at address %1.</source>
+        <translation>Датчик теперь отвечает по адресу %1.</translation>
+    </message>
+    <message>
+        <source>Restart the sensor with address %1?</source>
+        <translation>Сбросить датчик с адресом %1?</translation>
+    </message>
+    <message>
+        <source>nothing was done</source>
+        <translation>ничего не сделано</translation>
+    </message>
+    <message>
+        <source>the sensor does not answer (%1)</source>
+        <translation>датчик не отвечает (%1)</translation>
+    </message>
+    <message>
+        <source>The sensor has restarted and answers.</source>
+        <translation>Датчик перезапустился и отвечает.</translation>
+    </message>
+    <message>
+        <source>Address: %1</source>
+        <translation>Адрес: %1</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, build %2</source>
+        <translation>Прошивка: %1, сборка %2</translation>
+    </message>
+    <message>
+        <source>Tilt X: %1″</source>
+        <translation>Угол X: %1″</translation>
+    </message>
+    <message>
+        <source>Tilt Y: %1″</source>
+        <translation>Угол Y: %1″</translation>
+    </message>
+    <message>
+        <source>Temperature: %1 °C</source>
+        <translation>Температура: %1 °C</translation>
+    </message>
+    <message>
+        <source>Fan: %1 1/s</source>
+        <translation>Вентилятор: %1 1/с</translation>
+    </message>
+    <message>
+        <source>Heater: %1 %</source>
+        <translation>Нагрев: %1 %</translation>
+    </message>
+    <message>
+        <source>Measurements since the start: %1</source>
+        <translation>Измерений с запуска: %1</translation>
+    </message>
+    <message>
+        <source>Configuration: %1</source>
+        <translation>Конфигурация: %1</translation>
+    </message>
+    <message>
+        <source>firmware %1, build %2</source>
+        <translation>прошивка %1, сборка %2</translation>
+    </message>
+    <message>
+        <source>looks for sensors at the addresses 1…255</source>
+        <translation>ищет датчики по адресам 1…255</translation>
+    </message>
+    <message>
+        <source>prints what the sensor measures</source>
+        <translation>печатает измерения датчика</translation>
+    </message>
+    <message>
+        <source>prints what the sensor is and its settings</source>
+        <translation>печатает сведения о датчике и его настройки</translation>
+    </message>
+    <message>
+        <source>gives the sensor another address; an АН-Д3 is restarted</source>
+        <translation>меняет адрес датчика; АН-Д3 при этом сбрасывается</translation>
+    </message>
+    <message>
+        <source>writes the name, at most 16 characters; not in Modbus</source>
+        <translation>записывает имя, не больше 16 символов; не в Modbus</translation>
+    </message>
+    <message>
+        <source>writes the zero offset, arc-seconds</source>
+        <translation>записывает смещение нуля, угловые секунды</translation>
+    </message>
+    <message>
+        <source>writes the averaging: --ticks, --period or both</source>
+        <translation>записывает усреднение: --ticks, --period или оба</translation>
+    </message>
+    <message>
+        <source>restarts the controller of an АН-Д3, about 5 s</source>
+        <translation>сбрасывает контроллер АН-Д3, около 5 с</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>имя</translation>
+    </message>
+    <message>
+        <source>zero offset</source>
+        <translation>смещение нуля</translation>
+    </message>
+    <message>
+        <source>averaging ticks</source>
+        <translation>такты усреднения</translation>
+    </message>
+    <message>
+        <source>averaging period</source>
+        <translation>период усреднения</translation>
+    </message>
+    <message>
+        <source>%1: written and read back</source>
+        <translation>%1: значение записано и проверено чтением</translation>
+    </message>
+    <message>
+        <source>%1: the sensor has not taken the new value</source>
+        <translation>%1: датчик не принял новое значение</translation>
+    </message>
+    <message>
+        <source>%1: not written (%2)</source>
+        <translation>%1: не записано (%2)</translation>
+    </message>
+    <message>
+        <source>address %1 is taken, or the sensor refuses it; nothing was changed</source>
+        <translation>адрес %1 занят, или датчик его не принимает; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>the sensor still answers at address %1</source>
+        <translation>датчик по-прежнему отвечает по адресу %1</translation>
+    </message>
+    <message>
+        <source>no answer, neither at address %1 nor at %2; scan the line</source>
+        <translation>нет ответа ни по адресу %1, ни по адресу %2; выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>what became of the address is not known (%1); scan the line</source>
+        <translation>неизвестно, сменился ли адрес (%1); выполните поиск на линии</translation>
+    </message>
+    <message>
+        <source>Give the sensor with address %1 the address %2?</source>
+        <translation>Записать в датчик с адресом %1 новый адрес %2?</translation>
+    </message>
+    <message>
+        <source>Write the name &quot;%1&quot; to the sensor with address %2?</source>
+        <translation>Записать имя «%1» в датчик с адресом %2?</translation>
+    </message>
+    <message>
+        <source>Write the zero offset X %1″, Y %2″ to the sensor with address %3?</source>
+        <translation>Записать смещение нуля X %1″, Y %2″ в датчик с адресом %3?</translation>
+    </message>
+    <message>
+        <source>ticks: %1</source>
+        <translation>тактов: %1</translation>
+    </message>
+    <message>
+        <source>period: %1 ms</source>
+        <translation>период: %1 мс</translation>
+    </message>
+    <message>
+        <source>Write the averaging (%1) to the sensor with address %2?</source>
+        <translation>Записать усреднение (%1) в датчик с адресом %2?</translation>
+    </message>
+    <message>
+        <source>wrong check sum of the program</source>
+        <translation>неверная контрольная сумма программы</translation>
+    </message>
+    <message>
+        <source>wrong check sum of the settings</source>
+        <translation>неверная контрольная сумма настроек</translation>
+    </message>
+    <message>
+        <source>wrong check sums of program and settings</source>
+        <translation>неверные контрольные суммы программы и настроек</translation>
+    </message>
+    <message>
+        <source>Name: %1</source>
+        <translation>Имя: %1</translation>
+    </message>
+    <message>
+        <source>Speed: %1</source>
+        <translation>Скорость обмена: %1</translation>
+    </message>
+    <message>
+        <source>Version: %1</source>
+        <translation>Версия измерителя: %1</translation>
+    </message>
+    <message>
+        <source>Software revision: %1 (type %2, revision %3)</source>
+        <translation>Номер редакции ПО: %1 (тип %2, редакция %3)</translation>
+    </message>
+    <message>
+        <source>Serial number: %1</source>
+        <translation>Заводской номер: %1</translation>
+    </message>
+    <message>
+        <source>Zero offset X: %1″</source>
+        <translation>Смещение нуля X: %1″</translation>
+    </message>
+    <message>
+        <source>Zero offset Y: %1″</source>
+        <translation>Смещение нуля Y: %1″</translation>
+    </message>
+    <message>
+        <source>Averaging ticks: %1</source>
+        <translation>Тактов усреднения: %1</translation>
+    </message>
+    <message>
+        <source>Averaging period: %1 ms</source>
+        <translation>Период усреднения: %1 мс</translation>
+    </message>
+    <message>
+        <source>Self-test: %1</source>
+        <translation>Самопроверка: %1</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>№ %1</translation>
+    </message>
+    <message>
+        <source>there is no terminal to ask at; nothing was written. --yes writes without asking</source>
+        <translation>спросить не у кого: ввод не с терминала; ничего не записано. С --yes запись идёт без вопроса</translation>
+    </message>
+    <message>
+        <source>--%1 takes %2, not &quot;%3&quot;</source>
+        <translation>--%1: нужно %2, а не «%3»</translation>
+    </message>
+    <message>
+        <source>a command is missing; --help lists them</source>
+        <translation>не указана команда; список — в --help</translation>
+    </message>
+    <message>
+        <source>there is no command &quot;%1&quot;; --help lists them</source>
+        <translation>нет команды «%1»; список — в --help</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>after %1 comes %2</source>
+        <translation>после %1 должно стоять: %2</translation>
+    </message>
+    <message>
+        <source>%1 does not take --%2</source>
+        <translation>у команды %1 нет параметра --%2</translation>
+    </message>
+    <message>
+        <source>--device is missing</source>
+        <translation>не указан --device</translation>
+    </message>
+    <message>
+        <source>--type is missing</source>
+        <translation>не указан --type</translation>
+    </message>
+    <message>
+        <source>%1 does not have the command %2</source>
+        <translation>у %1 нет команды %2</translation>
+    </message>
+    <message>
+        <source>only ind3 has a --protocol</source>
+        <translation>--protocol есть только у ind3</translation>
+    </message>
+    <message>
+        <source>--address is missing</source>
+        <translation>не указан --address</translation>
+    </message>
+    <message>
+        <source>protocol 2.10 has no settings: only scan and read</source>
+        <translation>в протоколе 2.10 нет настроек: только scan и read</translation>
+    </message>
+    <message>
+        <source>--from is after --to</source>
+        <translation>--from больше --to</translation>
+    </message>
+    <message>
+        <source>--ticks or --period is missing</source>
+        <translation>не указан ни --ticks, ни --period</translation>
+    </message>
+    <message>
+        <source>an address is 1…255, not &quot;%1&quot;</source>
+        <translation>адрес — число 1…255, а не «%1»</translation>
+    </message>
+    <message>
+        <source>there is no name in Modbus</source>
+        <translation>в Modbus имени нет</translation>
+    </message>
+    <message>
+        <source>a name has 1…16 characters of Windows-1251: &quot;%1&quot; does not</source>
+        <translation>имя — 1…16 символов Windows-1251, «%1» не подходит</translation>
+    </message>
+    <message>
+        <source>an offset is two numbers of arc-seconds, not &quot;%1&quot;</source>
+        <translation>смещение — два числа в угловых секундах, а не «%1»</translation>
+    </message>
+    <message>
+        <source>%1  somebody answers, but not clearly (%2); two sensors with one address?</source>
+        <translation>%1  кто-то отвечает, но неразборчиво (%2); два датчика с одним адресом?</translation>
+    </message>
+    <message numerus="yes">
+        <source>address %1, %n sensor(s) found</source>
+        <translation>
+            <numerusform>адрес %1, найден %n датчик</numerusform>
+            <numerusform>адрес %1, найдено %n датчика</numerusform>
+            <numerusform>адрес %1, найдено %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>its settings cannot be read</source>
+        <translation>настройки не читаются</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) found</source>
+        <translation>
+            <numerusform>найден %n датчик</numerusform>
+            <numerusform>найдено %n датчика</numerusform>
+            <numerusform>найдено %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n address(es) asked</source>
+        <translation>
+            <numerusform>опрошен %n адрес</numerusform>
+            <numerusform>опрошено %n адреса</numerusform>
+            <numerusform>опрошено %n адресов</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no answer from address %1</source>
+        <translation>нет ответа с адреса %1</translation>
+    </message>
+    <message>
+        <source>only damaged answers from address %1</source>
+        <translation>с адреса %1 приходят только повреждённые ответы</translation>
+    </message>
+    <message>
+        <source>the answers from address %1 make no sense</source>
+        <translation>ответы с адреса %1 не имеют смысла</translation>
+    </message>
+    <message>
+        <source>the sensor with address %1 refuses</source>
+        <translation>датчик с адресом %1 отказывает</translation>
+    </message>
+    <message>
+        <source>the port is lost: %1</source>
+        <translation>порт потерян: %1</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>прервано</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>нет ответа</translation>
+    </message>
+    <message>
+        <source>damaged answers</source>
+        <translation>повреждённые ответы</translation>
+    </message>
+    <message>
+        <source>answers without sense</source>
+        <translation>ответы без смысла</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>the port is lost</source>
+        <translation>порт потерян</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what is not known is null:
+  every one      type (ind3, and3), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (arc-seconds),
+                 ticks, period (ms), selfTest; and3: firmware, build, configuration (hexadecimal)
+                 and the keys of read
+  read           time (UTC), tiltX, tiltY (arc-seconds); and3: temperature (°C), fanFrequency (1/s),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress
+  a failure      fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, один объект в строке; неизвестное — null:
+  каждый         type (ind3, and3), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (угловые секунды),
+                 ticks, period (мс), selfTest; and3: firmware, build, configuration (шестнадцатеричная)
+                 и ключи read
+  read           time (UTC), tiltX, tiltY (угловые секунды); and3: temperature (°C), fanFrequency (1/с),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; у адреса: newAddress
+  неудача        fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>Finds, reads and sets ИН-Д3 and АН-Д3 sensors on a serial line. The line must not be open in another program.</source>
+        <translation>Ищет, читает и настраивает датчики ИН-Д3 и АН-Д3 на последовательной линии. Линия не должна быть открыта в другой программе.</translation>
+    </message>
+    <message>
+        <source>Commands:</source>
+        <translation>Команды:</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 refused by the sensor or by the user; 2 the command line is wrong; 3 no answer, or the port cannot be opened.</source>
+        <translation>Коды завершения: 0 — сделано; 1 — отказ датчика или пользователя; 2 — ошибка в командной строке; 3 — нет ответа или порт не открывается.</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>Примеры:</translation>
+    </message>
+    <message>
+        <source>One of the commands above.</source>
+        <translation>Одна из команд выше.</translation>
+    </message>
+    <message>
+        <source>The port.</source>
+        <translation>Порт.</translation>
+    </message>
+    <message>
+        <source>Speed; 115200 if not given. An ИН-Д3 comes with 9600 from the factory.</source>
+        <translation>Скорость; по умолчанию 115200. ИН-Д3 с завода — 9600.</translation>
+    </message>
+    <message>
+        <source>Parity; none if not given.</source>
+        <translation>Чётность; по умолчанию нет.</translation>
+    </message>
+    <message>
+        <source>Stop bits; 1 if not given.</source>
+        <translation>Стоповые биты; по умолчанию 1.</translation>
+    </message>
+    <message>
+        <source>The driver of the adapter switches the direction (RS485=1 in the ini).</source>
+        <translation>Направление переключает драйвер адаптера (RS485=1 в ini).</translation>
+    </message>
+    <message>
+        <source>Type of the sensor; needed where both have the command.</source>
+        <translation>Тип датчика; нужен, если команда есть у обоих.</translation>
+    </message>
+    <message>
+        <source>What an ИН-Д3 speaks; 2.11 if not given.</source>
+        <translation>Протокол ИН-Д3; по умолчанию 2.11.</translation>
+    </message>
+    <message>
+        <source>Address of the sensor, 1…255.</source>
+        <translation>Адрес датчика, 1…255.</translation>
+    </message>
+    <message>
+        <source>How long one answer is waited for; 200 if not given. It is asked for up to three times.</source>
+        <translation>Сколько ждать одного ответа; по умолчанию 200. Запрос повторяется до трёх раз.</translation>
+    </message>
+    <message>
+        <source>scan: the first address.</source>
+        <translation>scan: первый адрес.</translation>
+    </message>
+    <message>
+        <source>scan: the last address.</source>
+        <translation>scan: последний адрес.</translation>
+    </message>
+    <message>
+        <source>read: how many times; 0: until Ctrl+C. Once if not given.</source>
+        <translation>read: сколько раз; 0 — до Ctrl+C. По умолчанию один раз.</translation>
+    </message>
+    <message>
+        <source>read: from one to the next; 1000 if not given.</source>
+        <translation>read: от одного чтения до следующего; по умолчанию 1000.</translation>
+    </message>
+    <message>
+        <source>set-averaging: ticks.</source>
+        <translation>set-averaging: такты.</translation>
+    </message>
+    <message>
+        <source>set-averaging: period.</source>
+        <translation>set-averaging: период.</translation>
+    </message>
+    <message>
+        <source>Writes without asking.</source>
+        <translation>Запись без вопроса.</translation>
+    </message>
+    <message>
+        <source>Prints JSON.</source>
+        <translation>Печатает JSON.</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Язык программы.</translation>
+    </message>
+    <message>
+        <source>Prints this.</source>
+        <translation>Печатает эту справку.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Печатает версию.</translation>
     </message>
 </context>
 </TS>

@@ -3,25 +3,31 @@
 #include <QFrame>
 
 class QLabel;
+class QPushButton;
 
 namespace gorizont {
 
-/// A strip above the pages, there only while sensors need attention. GUI thread.
+class AlarmWatch;
+
+/// A strip above the pages, there only while messages wait for the dispatcher: it says what is wrong. GUI thread.
 class AttentionBanner : public QFrame
 {
     Q_OBJECT
 
 public:
-    explicit AttentionBanner(QWidget *parent = nullptr);
-
-    void setCount(int sensors);
+    /// \a alarms outlives the banner.
+    explicit AttentionBanner(AlarmWatch &alarms, QWidget *parent = nullptr);
 
 Q_SIGNALS:
     void listWanted();
 
 private:
+    QPushButton *addButton(const QString &title, const QString &objectName);
+    void refresh();
+
+    AlarmWatch &m_alarms;
     QLabel *m_text;
-    int m_count = 0;
+    QList<quint64> m_shown; ///< the messages that the text is about: what came since was not seen
 };
 
 } // namespace gorizont

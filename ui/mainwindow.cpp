@@ -1,6 +1,7 @@
 #include "ui/mainwindow.h"
 
 #include "ui/attentionbanner.h"
+#include "ui/attentiondialog.h"
 #include "ui/complaintsdialog.h"
 #include "ui/infopanel.h"
 #include "ui/models/icons.h"
@@ -28,10 +29,11 @@ constexpr std::chrono::milliseconds shortestRefresh(250);
 } // namespace
 
 MainWindow::MainWindow(
-    SensorRegistry &registry, Journal &journal, const ServerConfig &config, const QList<Complaint> &complaints,
-    QWidget *parent)
+    SensorRegistry &registry, Journal &journal, AlarmWatch &alarms, const ServerConfig &config,
+    const QList<Complaint> &complaints, QWidget *parent)
     : QMainWindow(parent)
     , m_registry(registry)
+    , m_alarms(alarms)
     , m_config(config)
     , m_complaints(complaints)
     , m_refreshTimer(new QTimer(this))
@@ -52,10 +54,8 @@ MainWindow::MainWindow(
     connect(&registry, &SensorRegistry::lineChanged, this, [this] { m_isDirty = true; });
     connect(m_tree, &SiteTree::selectionChanged, this, &MainWindow::showItem);
     connect(m_state, &StatePanel::chosen, this, &MainWindow::select);
-    connect(m_banner, &AttentionBanner::listWanted, this, [this] {
-        select(SiteItem::server());
-        m_state->showWorstSensors();
-    });
+    connect(m_state, &StatePanel::clientDismissed, this, &MainWindow::clientDismissed);
+    connect(m_banner, &AttentionBanner::listWanted, this, &MainWindow::showAttention);
     select(SiteItem::server());
     m_tree->setFocus();
 }
@@ -121,6 +121,11 @@ void MainWindow::setServerStatus(const QString &text)
     m_server->setText(text);
 }
 
+void MainWindow::setClients(const QString &service, const QList<ClientInfo> &clients)
+{
+    m_state->setClients(service, clients);
+}
+
 void MainWindow::refresh()
 {
     m_clock->setText(valuetext::clock(utcNow()));
@@ -128,10 +133,15 @@ void MainWindow::refresh()
     if (m_isDirty) {
         m_isDirty = false;
         m_tree->refresh();
-        const HealthCounts counts = countHealth(m_registry);
-        m_counts->setText(statetext::counts(counts));
-        m_banner->setCount(counts.critical);
+        m_counts->setText(statetext::counts(countHealth(m_registry)));
     }
+}
+
+void MainWindow::retry()
+{
+    Q_EMIT retryRequested();
+    m_isDirty = true;
+    refresh();
 }
 
 void MainWindow::updateRefreshing()
@@ -192,6 +202,12 @@ void MainWindow::toggle()
     }
 }
 
+void MainWindow::endWithoutQuestion()
+{
+    m_isExitConfirmed = true;
+    close();
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     // The end of the desktop session does not wait for an answer.
@@ -223,11 +239,19 @@ void MainWindow::askExit()
     no->setObjectName(QStringLiteral("exitNo"));
     m_exitQuestion->setDefaultButton(no);
     m_exitQuestion->setEscapeButton(no);
-    connect(yes, &QPushButton::clicked, this, [this] {
-        m_isExitConfirmed = true;
-        close();
-    });
+    connect(yes, &QPushButton::clicked, this, &MainWindow::endWithoutQuestion);
     m_exitQuestion->open();
+}
+
+void MainWindow::showAttention()
+{
+    if (!m_attention) {
+        m_attention = new AttentionDialog(m_registry, m_alarms, this);
+        connect(m_attention, &AttentionDialog::chosen, this, &MainWindow::select);
+    }
+    m_attention->show();
+    m_attention->raise();
+    m_attention->activateWindow();
 }
 
 void MainWindow::showComplaints()

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/config/serverconfig.h"
+#include "core/net/clientinfo.h"
 #include "core/registry/journal.h"
 #include "core/registry/sensorregistry.h"
 #include "ui/models/siteitem.h"
+#include "ui/service/servicedesk.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -17,7 +19,9 @@ class QTimer;
 
 namespace gorizont {
 
+class AlarmWatch;
 class AttentionBanner;
+class AttentionDialog;
 class InfoPanel;
 class SiteTree;
 class StatePanel;
@@ -29,10 +33,10 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    /// Registry and journal outlive the window.
+    /// Registry, journal and alarms outlive the window.
     MainWindow(
-        SensorRegistry &registry, Journal &journal, const ServerConfig &config, const QList<Complaint> &complaints,
-        QWidget *parent = nullptr);
+        SensorRegistry &registry, Journal &journal, AlarmWatch &alarms, const ServerConfig &config,
+        const QList<Complaint> &complaints, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     /// CanHide=1: stays in the tray, or starts minimised where there is no tray.
@@ -43,20 +47,33 @@ public:
 
     void select(SiteItem item);
 
+    /// Service menus and windows for the ports that \a worker knows. Its workers outlive the window.
+    void offerService(const WorkerOfPort &worker, Journal &journal);
+
 public Q_SLOTS:
     /// One line of `_data`, for the tab <Измерения>.
     void appendMeasurement(const QString &line);
     /// State of the Modbus server for the status bar.
     void setServerStatus(const QString &text);
+    /// All clients of \a service as they are now, for the tab <Клиенты>.
+    void setClients(const QString &service, const QList<gorizont::ClientInfo> &clients);
     void raiseWindow();
+    /// The list of messages for the dispatcher.
+    void showAttention();
     /// Hides a window that is seen, brings back one that is not.
     void toggle();
+    /// Ends the program as the system asks for it: whatever CanClose says, nobody is asked.
+    void endWithoutQuestion();
 
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
+    /// F5: ports that are gone or parked sensors are to be tried at once.
+    void retryRequested();
     /// The user wants to see the register map; who makes the window knows it.
     void registerMapRequested();
+    /// The user wants this connection to be cut off, and confirmed it.
+    void clientDismissed(const QString &service, const QHostAddress &address, quint16 port);
 
 protected:
     void closeEvent(QCloseEvent *event) override;
@@ -67,12 +84,17 @@ protected:
 private:
     void buildPanels(Journal &journal);
     void buildMenus();
+    void buildViewMenu();
     void buildStatusBar();
+    int selectedLine() const; ///< index of the port that is selected or has the selected sensor; −1: none
     QAction *addGoAction(QMenu *menu, const QString &title, int digit, const std::function<void()> &go);
+    void placeInSight();
     void restoreLayout();
     void saveLayout() const;
 
     void refresh();
+    void retry();
+    void restoreColumns();
     void updateRefreshing();
     void showItem(SiteItem item);
     void goToPort();
@@ -81,12 +103,14 @@ private:
     void askExit();
 
     SensorRegistry &m_registry;
+    AlarmWatch &m_alarms;
     const ServerConfig m_config;
     QList<Complaint> m_complaints; ///< not shown yet
     QPointer<QMessageBox> m_exitQuestion; ///< while it waits for an answer
 
     SiteTree *m_tree = nullptr;
     AttentionBanner *m_banner = nullptr;
+    AttentionDialog *m_attention = nullptr; ///< made when it is first wanted
     StatePanel *m_state = nullptr;
     InfoPanel *m_info = nullptr;
     QSplitter *m_columns = nullptr;
@@ -101,6 +125,8 @@ private:
     bool m_isExitConfirmed = false;
     int m_lastLine = 0; ///< selected last, for Ctrl+3 and Ctrl+4
     int m_lastSensor = 0;
+
+    std::unique_ptr<ServiceDesk> m_service; ///< goes first, so that its ports are polled again
 };
 
 } // namespace gorizont

@@ -4,6 +4,9 @@
 #include "ui/attentionbanner.h"
 #include "ui/infopanel.h"
 #include "ui/mainwindow.h"
+#include "ui/pages/columnlayout.h"
+#include "ui/pages/tablecolumns.h"
+#include "ui/pages/tableview.h"
 #include "ui/sitetree.h"
 #include "ui/statepanel.h"
 
@@ -21,7 +24,7 @@ namespace gorizont {
 
 namespace {
 
-/// Where the window was and how it was divided: nothing else is kept outside the ini.
+/// Where the window was, how it was divided, and the columns of its tables: nothing else is kept outside the ini.
 QSettings windowSettings()
 {
     const QString name = QStringLiteral("Gorizont Server");
@@ -33,8 +36,8 @@ QSettings windowSettings()
 void MainWindow::buildPanels(Journal &journal)
 {
     m_tree = new SiteTree(m_registry, this);
-    m_banner = new AttentionBanner(this);
-    m_state = new StatePanel(m_registry, this);
+    m_banner = new AttentionBanner(m_alarms, this);
+    m_state = new StatePanel(m_registry, m_config.showsAdvanced, this);
     m_info = new InfoPanel(m_registry, journal, m_config, this);
     m_rows = new QSplitter(Qt::Vertical, this);
     m_rows->setObjectName(QStringLiteral("rowsSplitter"));
@@ -74,6 +77,17 @@ void MainWindow::buildMenus()
     exit->setObjectName(QStringLiteral("exitAction"));
     exit->setShortcut(QKeySequence(QStringLiteral("Ctrl+Q")));
 
+    buildViewMenu();
+
+    QMenu *help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(tr("Modbus &register map…"), this, &MainWindow::registerMapRequested)
+        ->setObjectName(QStringLiteral("registerMapAction"));
+    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
+    about->setObjectName(QStringLiteral("aboutAction"));
+}
+
+void MainWindow::buildViewMenu()
+{
     QMenu *view = menuBar()->addMenu(tr("&View"));
     addGoAction(view, tr("&Ports"), 1, [this] {
         select(SiteItem::server());
@@ -83,22 +97,57 @@ void MainWindow::buildMenus()
         select(SiteItem::server());
         m_state->showSensors();
     });
+    if (m_config.showsAdvanced) {
+        addGoAction(view, tr("C&lients"), 9, [this] {
+            select(SiteItem::server());
+            m_state->showClients();
+        });
+    }
     addGoAction(view, tr("P&ort"), 3, [this] { goToPort(); });
     addGoAction(view, tr("S&ensor"), 4, [this] { goToSensor(); });
     view->addSeparator();
     addGoAction(view, tr("Se&ttings"), 5, [this] { m_info->setCurrentIndex(0); });
     addGoAction(view, tr("&Measurements"), 6, [this] { m_info->setCurrentIndex(1); });
     addGoAction(view, tr("&Journal"), 7, [this] { m_info->setCurrentIndex(2); });
+    addGoAction(view, tr("Messages for the &dispatcher"), 8, [this] { showAttention(); });
     view->addSeparator();
     QAction *find = view->addAction(tr("&Find a sensor"), m_tree, &SiteTree::startSearch);
     find->setObjectName(QStringLiteral("findAction"));
     find->setShortcut(QKeySequence::Find);
+    QAction *refresh = view->addAction(tr("&Refresh"), this, &MainWindow::retry);
+    refresh->setObjectName(QStringLiteral("refreshAction"));
+    refresh->setShortcut(QKeySequence(Qt::Key_F5));
+    QAction *restore = view->addAction(tr("Restore &columns"), this, &MainWindow::restoreColumns);
+    restore->setObjectName(QStringLiteral("restoreAllColumnsAction"));
+}
 
-    QMenu *help = menuBar()->addMenu(tr("&Help"));
-    help->addAction(tr("Modbus &register map…"), this, &MainWindow::registerMapRequested)
-        ->setObjectName(QStringLiteral("registerMapAction"));
-    QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
-    about->setObjectName(QStringLiteral("aboutAction"));
+int MainWindow::selectedLine() const
+{
+    const SiteItem item = m_tree->selected();
+    switch (item.kind) {
+    case SiteItem::Kind::Line: return item.index;
+    case SiteItem::Kind::Sensor: return m_registry.sensors()[static_cast<std::size_t>(item.index)].line;
+    case SiteItem::Kind::Server: break;
+    }
+    return -1;
+}
+
+void MainWindow::offerService(const WorkerOfPort &worker, Journal &journal)
+{
+    m_service = std::make_unique<ServiceDesk>(m_config, m_registry, journal, worker, this);
+    if (!m_service->isOffered()) {
+        return;
+    }
+    auto *menu = new QMenu(tr("&Service"), this);
+    menu->setObjectName(QStringLiteral("serviceMenu"));
+    menuBar()->insertMenu(menuBar()->actions().constLast(), menu);
+    m_service->fill(menu, selectedLine());
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { m_service->fill(menu, selectedLine()); });
+    connect(m_tree, &SiteTree::menuWanted, this, [this](SiteItem item, const QPoint &position) {
+        if (item.kind == SiteItem::Kind::Line) {
+            m_service->showMenu(item.index, position);
+        }
+    });
 }
 
 void MainWindow::buildStatusBar()
@@ -117,15 +166,36 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(m_clock);
 }
 
+/// In the middle of the screen, with room for the frame of the window manager, which nobody knows before the window is shown.
+void MainWindow::placeInSight()
+{
+    const QSize frame(20, 50);
+    const QRect available = screen()->availableGeometry();
+    resize(QSize(1340, 800).boundedTo(available.size() - frame));
+    move(
+        available.topLeft()
+        + QPoint(available.width() - width() - frame.width(), available.height() - height() - frame.height()) / 2);
+}
+
 void MainWindow::restoreLayout()
 {
-    resize(QSize(1340, 800).boundedTo(screen()->availableSize()));
+    placeInSight();
     m_columns->setSizes({310, 1030});
     m_rows->setSizes({460, 280});
     const QSettings settings = windowSettings();
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    // A screen that is smaller now, or scaled, must not hide a part of the window.
+    if (restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()) && !isMaximized()
+        && !screen()->availableVirtualGeometry().contains(geometry())) {
+        placeInSight();
+    }
     m_columns->restoreState(settings.value(QStringLiteral("window/columns")).toByteArray());
     m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
+    m_state->showServerTab(settings.value(QStringLiteral("window/serverTab")).toInt());
+    m_info->setCurrentIndex(settings.value(QStringLiteral("window/infoTab")).toInt());
+    for (const TableView *table : findChildren<TableView *>()) {
+        const int columns = table->model()->columnCount();
+        table->columns().setLayout(readColumnLayout(settings, table->objectName(), columns));
+    }
 }
 
 void MainWindow::saveLayout() const
@@ -134,6 +204,19 @@ void MainWindow::saveLayout() const
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/columns"), m_columns->saveState());
     settings.setValue(QStringLiteral("window/rows"), m_rows->saveState());
+    settings.setValue(QStringLiteral("window/serverTab"), m_state->serverTab());
+    settings.setValue(QStringLiteral("window/infoTab"), m_info->currentIndex());
+    for (const TableView *table : findChildren<TableView *>()) {
+        const int columns = table->model()->columnCount();
+        writeColumnLayout(settings, table->objectName(), columns, table->columns().layout());
+    }
+}
+
+void MainWindow::restoreColumns()
+{
+    for (const TableView *table : findChildren<TableView *>()) {
+        table->columns().restore();
+    }
 }
 
 } // namespace gorizont

@@ -2,8 +2,9 @@
 
 #include "ui/models/icons.h"
 #include "ui/models/sitetreemodel.h"
+#include "ui/pages/searchfield.h"
 
-#include <QLineEdit>
+#include <QAction>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -12,12 +13,10 @@ namespace gorizont {
 SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     : QWidget(parent)
     , m_model(new SiteTreeModel(registry, this))
-    , m_search(new QLineEdit(this))
+    , m_search(new SearchField(QStringLiteral("treeSearch"), tr("Find a sensor (Ctrl+F)"), this))
     , m_view(new QTreeView(this))
 {
-    m_search->setObjectName(QStringLiteral("treeSearch"));
-    m_search->setPlaceholderText(tr("Find a sensor (Ctrl+F)"));
-    m_search->setClearButtonEnabled(true);
+    addSearch();
     m_view->setObjectName(QStringLiteral("siteTree"));
     m_view->setModel(m_model);
     m_view->setHeaderHidden(true);
@@ -41,8 +40,23 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
         Q_EMIT selectionChanged(m_model->itemAt(current));
     });
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QWidget::customContextMenuRequested, this, [this](const QPoint &position) {
+        if (const QModelIndex index = m_view->indexAt(position); index.isValid()) {
+            Q_EMIT menuWanted(m_model->itemAt(index), m_view->viewport()->mapToGlobal(position));
+        }
+    });
+}
+
+void SiteTree::addSearch()
+{
+    m_nothingFound = m_search->addAction(icons::state(Health::Warning), QLineEdit::LeadingPosition);
+    m_nothingFound->setObjectName(QStringLiteral("nothingFound"));
+    m_nothingFound->setToolTip(tr("Nothing found"));
+    m_nothingFound->setVisible(false);
     connect(m_search, &QLineEdit::textEdited, this, [this] { find(false); });
     connect(m_search, &QLineEdit::returnPressed, this, [this] { find(true); });
+    connect(m_search, &SearchField::left, m_view, qOverload<>(&QWidget::setFocus));
 }
 
 SiteItem SiteTree::selected() const
@@ -72,12 +86,14 @@ void SiteTree::startSearch()
 void SiteTree::find(bool isNext)
 {
     const QString wanted = m_search->text().trimmed();
+    m_nothingFound->setVisible(false);
     if (wanted.isEmpty()) {
         return;
     }
     const QModelIndexList found = m_model->match(
         m_model->indexOf(SiteItem::server()), Qt::DisplayRole, wanted, -1,
         Qt::MatchContains | Qt::MatchRecursive | Qt::MatchWrap);
+    m_nothingFound->setVisible(found.isEmpty());
     if (found.isEmpty()) {
         return;
     }

@@ -5,11 +5,12 @@
 
 #include <QWidget>
 
-class QLineEdit;
+class QAction;
 class QTreeView;
 
 namespace gorizont {
 
+class SearchField;
 class SiteTreeModel;
 
 /// The panel on the left: the tree of the site with a field to find a node in it. GUI thread.
@@ -27,12 +28,16 @@ public:
 
 Q_SIGNALS:
     void selectionChanged(gorizont::SiteItem item);
+    /// Right button or the menu key on a node.
+    void menuWanted(gorizont::SiteItem item, const QPoint &globalPosition);
 
 private:
+    void addSearch();
     void find(bool isNext);
 
     SiteTreeModel *m_model;
-    QLineEdit *m_search;
+    SearchField *m_search;
+    QAction *m_nothingFound = nullptr;
     QTreeView *m_view;
 };
 

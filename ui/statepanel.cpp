@@ -1,17 +1,22 @@
 #include "ui/statepanel.h"
 
 #include "ui/models/stateproperties.h"
+#include "ui/pages/clientspage.h"
 #include "ui/pages/portspage.h"
 #include "ui/pages/propertiespage.h"
 #include "ui/pages/sensorspage.h"
 
+#include <QScopedValueRollback>
+
 namespace gorizont {
 
-StatePanel::StatePanel(const SensorRegistry &registry, QWidget *parent)
+StatePanel::StatePanel(const SensorRegistry &registry, bool showsClients, QWidget *parent)
     : QTabWidget(parent)
     , m_registry(registry)
     , m_ports(new PortsPage(registry, this))
     , m_sensors(new SensorsPage(registry, this))
+    , m_clients(showsClients ? new ClientsPage(this) : nullptr)
+    , m_serverPage(m_ports)
     , m_port(new PropertiesPage(QStringLiteral("portTable"), PropertiesPage::Notes::InToolTips, this))
     , m_sensor(new PropertiesPage(QStringLiteral("sensorTable"), PropertiesPage::Notes::InToolTips, this))
 {
@@ -19,21 +24,54 @@ StatePanel::StatePanel(const SensorRegistry &registry, QWidget *parent)
     setDocumentMode(true);
     addTab(m_ports, tr("Ports"));
     addTab(m_sensors, tr("Sensors"));
+    if (m_clients) {
+        addTab(m_clients, tr("Clients"));
+    }
     addTab(m_port, tr("Port"));
     addTab(m_sensor, tr("Sensor"));
+    connectPages();
+    setItem(SiteItem::server());
+}
+
+void StatePanel::connectPages()
+{
     connect(m_ports, &PortsPage::chosen, this, &StatePanel::chosen);
     connect(m_sensors, &SensorsPage::chosen, this, &StatePanel::chosen);
-    connect(this, &QTabWidget::currentChanged, this, [this] { refresh(true); });
-    setItem(SiteItem::server());
+    if (m_clients) {
+        connect(m_clients, &ClientsPage::dismissed, this, &StatePanel::clientDismissed);
+    }
+    connect(this, &QTabWidget::currentChanged, this, &StatePanel::onTabChanged);
+}
+
+QWidgetList StatePanel::serverPages() const
+{
+    QWidgetList pages{m_ports, m_sensors};
+    if (m_clients) {
+        pages += m_clients;
+    }
+    return pages;
+}
+
+void StatePanel::onTabChanged()
+{
+    if (m_item.kind == SiteItem::Kind::Server && !m_isChangingItem) {
+        m_serverPage = currentWidget();
+    }
+    refresh(true);
 }
 
 void StatePanel::setItem(SiteItem item)
 {
+    const QScopedValueRollback guard(m_isChangingItem, true);
     m_item = item;
-    setTabVisible(indexOf(m_ports), item.kind == SiteItem::Kind::Server);
-    setTabVisible(indexOf(m_sensors), item.kind == SiteItem::Kind::Server);
+    for (QWidget *page : serverPages()) {
+        setTabVisible(indexOf(page), item.kind == SiteItem::Kind::Server);
+    }
     setTabVisible(indexOf(m_port), item.kind == SiteItem::Kind::Line);
     setTabVisible(indexOf(m_sensor), item.kind == SiteItem::Kind::Sensor);
+    if (item.kind == SiteItem::Kind::Server) {
+        setCurrentWidget(m_serverPage);
+    }
     refresh(true);
 }
 
@@ -46,6 +84,8 @@ void StatePanel::refresh(bool hasReadings)
         if (hasReadings) {
             m_sensors->refresh(now);
         }
+    } else if (m_clients && currentWidget() == m_clients) {
+        m_clients->refresh(utcNow());
     } else if (m_item.kind == SiteItem::Kind::Line) {
         m_port->setProperties(portProperties(m_registry.lines()[static_cast<std::size_t>(m_item.index)], now));
     } else if (m_item.kind == SiteItem::Kind::Sensor) {
@@ -55,20 +95,41 @@ void StatePanel::refresh(bool hasReadings)
     }
 }
 
+void StatePanel::setClients(const QString &service, const QList<ClientInfo> &clients)
+{
+    if (m_clients) {
+        m_clients->setClients(service, clients);
+    }
+}
+
+void StatePanel::showServerPage(QWidget *page)
+{
+    m_serverPage = page;
+    if (m_item.kind == SiteItem::Kind::Server) {
+        setCurrentWidget(page);
+    }
+}
+
+void StatePanel::showServerTab(int place)
+{
+    showServerPage(serverPages().value(place, m_ports));
+}
+
 void StatePanel::showPorts()
 {
-    setCurrentWidget(m_ports);
+    showServerPage(m_ports);
 }
 
 void StatePanel::showSensors()
 {
-    setCurrentWidget(m_sensors);
+    showServerPage(m_sensors);
 }
 
-void StatePanel::showWorstSensors()
+void StatePanel::showClients()
 {
-    showSensors();
-    m_sensors->sortByStatus();
+    if (m_clients) {
+        showServerPage(m_clients);
+    }
 }
 
 } // namespace gorizont

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/net/clientinfo.h"
 #include "core/registry/sensorregistry.h"
 #include "ui/models/siteitem.h"
 
@@ -7,6 +8,7 @@
 
 namespace gorizont {
 
+class ClientsPage;
 class PortsPage;
 class PropertiesPage;
 class SensorsPage;
@@ -18,25 +20,42 @@ class StatePanel : public QTabWidget
     Q_OBJECT
 
 public:
-    explicit StatePanel(const SensorRegistry &registry, QWidget *parent = nullptr);
+    /// \a showsClients: with the tab <Клиенты>.
+    StatePanel(const SensorRegistry &registry, bool showsClients, QWidget *parent = nullptr);
 
     void setItem(SiteItem item);
 
     /// Draws the tab that is seen. \a hasReadings: values have changed since the last call.
     void refresh(bool hasReadings);
 
+    /// Place of the tab of the server that is or will be seen, also while something else is selected.
+    int serverTab() const { return indexOf(m_serverPage); }
+    void showServerTab(int place); ///< no place of a tab of the server: the first one
     void showPorts();
     void showSensors();
-    void showWorstSensors();
+    void showClients();
+
+    /// All clients of \a service as they are now.
+    void setClients(const QString &service, const QList<ClientInfo> &clients);
 
 Q_SIGNALS:
     void chosen(gorizont::SiteItem item);
+    /// The user wants this connection to be cut off.
+    void clientDismissed(const QString &service, const QHostAddress &address, quint16 port);
 
 private:
+    void onTabChanged();
+    QWidgetList serverPages() const;
+    void showServerPage(QWidget *page);
+    void connectPages();
+
     const SensorRegistry &m_registry;
     SiteItem m_item;
+    bool m_isChangingItem = false; ///< tabs come and go: it is not the user who chooses one
     PortsPage *m_ports;
     SensorsPage *m_sensors;
+    ClientsPage *m_clients; ///< null: not shown
+    QWidget *m_serverPage; ///< the one of the server seen last
     PropertiesPage *m_port;
     PropertiesPage *m_sensor;
 };

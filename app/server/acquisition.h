@@ -32,6 +32,9 @@ public:
     /// Ends all waits and threads; false when one of them did not end within \a limit.
     bool stop(std::chrono::milliseconds limit);
 
+    /// Opens ports that wait for PReOpen or PClose and asks parked sensors, at once.
+    void retry();
+
     /// The worker of section [Port\a port]; null when the port is off.
     LineWorker *worker(int port) const;
 

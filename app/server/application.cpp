@@ -1,6 +1,7 @@
 #include "app/server/application.h"
 
 #include "app/server/readingprinter.h"
+#include "core/adc24/adc24server.h"
 #include "core/history/historywriter.h"
 #include "core/modbus/modbusconfig.h"
 #include "core/modbus/modbusserver.h"
@@ -48,15 +49,18 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     : QObject(parent)
     , m_settings(settings)
     , m_registry(settings.config.lines, statusRules(settings.config))
+    , m_alarms(m_registry)
     , m_acquisition(acquisitionSettings(settings), m_registry, m_journal)
 {
     m_storageThread.setObjectName(QStringLiteral("storage"));
     m_serversThread.setObjectName(QStringLiteral("servers"));
     m_printerThread.setObjectName(QStringLiteral("printer"));
+    connect(&m_alarms, &AlarmWatch::journal, &m_journal, &Journal::append);
     makeHistory();
     if (settings.config.servesModbus) {
         makeModbus();
     }
+    makeAdc24();
     if (settings.printsReadings) {
         makePrinter();
     }
@@ -95,7 +99,7 @@ void Application::makeModbus()
     ModbusServer *modbus = m_modbus.get();
     connect(&m_registry, &SensorRegistry::readingsChanged, modbus, &ModbusServer::updateReadings, Qt::QueuedConnection);
     connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
-    connect(modbus, &ModbusServer::journal, &m_journal, &Journal::append);
+    connectDesk(modbus->desk());
     connect(modbus, &ModbusServer::stateChanged, this, [this](QModbusDevice::State state) {
         Q_EMIT serverStatusChanged(modbusText(state));
     });
@@ -106,6 +110,43 @@ void Application::makeModbus()
     modbus->moveToThread(&m_serversThread);
     connect(&m_serversThread, &QThread::started, modbus, &ModbusServer::connectDevice);
     connect(&m_serversThread, &QThread::finished, modbus, &ModbusServer::disconnectDevice, Qt::DirectConnection);
+}
+
+void Application::makeAdc24()
+{
+    const auto config = adc24Config(m_settings.config);
+    if (!config) {
+        return;
+    }
+    m_adc24 = std::make_unique<Adc24Server>(*config);
+    Adc24Server *adc24 = m_adc24.get();
+    connect(&m_registry, &SensorRegistry::readingsChanged, adc24, &Adc24Server::updateReadings, Qt::QueuedConnection);
+    connect(&m_registry, &SensorRegistry::blockAdded, adc24, &Adc24Server::appendBlock, Qt::QueuedConnection);
+    connectDesk(adc24->desk());
+    adc24->updateReadings(m_registry.readings());
+    adc24->moveToThread(&m_serversThread);
+    connect(&m_serversThread, &QThread::started, adc24, &Adc24Server::start);
+    connect(&m_serversThread, &QThread::finished, adc24, &Adc24Server::stop, Qt::DirectConnection);
+}
+
+/// Before \a desk moves to its thread.
+void Application::connectDesk(ClientDesk &desk)
+{
+    connect(&desk, &ClientDesk::journal, &m_journal, &Journal::append);
+    connect(&desk, &ClientDesk::clientsChanged, this, [this, service = desk.service()](const QList<ClientInfo> &all) {
+        Q_EMIT clientsChanged(service, all);
+    });
+    m_desks.push_back(&desk);
+}
+
+void Application::dismissClient(const QString &service, const QHostAddress &address, quint16 port)
+{
+    for (ClientDesk *desk : m_desks) {
+        if (desk->service() == service) {
+            QMetaObject::invokeMethod(
+                desk, [desk, address, port] { desk->dismiss(address, port); }, Qt::QueuedConnection);
+        }
+    }
 }
 
 void Application::makePrinter()
@@ -166,17 +207,16 @@ bool Application::shutdown()
     }
     m_isRunning = false;
     const QDeadlineTimer deadline(m_settings.config.timing.exitLimit);
-    bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit);
-    haveAllEnded = endThread(m_serversThread, deadline) && haveAllEnded;
-    haveAllEnded = endThread(m_printerThread, deadline) && haveAllEnded;
+    m_serversThread.quit();
+    m_printerThread.quit();
+    // A line that hangs in the system must leave time for the files.
+    bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit * 3 / 4);
     m_journal.add(JournalKind::Off, tr("Gorizont Server ended"));
-    return endThread(m_storageThread, QDeadlineTimer(m_settings.config.timing.exitLimit)) && haveAllEnded;
-}
-
-bool Application::endThread(QThread &thread, const QDeadlineTimer &deadline)
-{
-    thread.quit();
-    return thread.wait(deadline);
+    for (QThread *thread : {&m_storageThread, &m_serversThread, &m_printerThread}) {
+        thread->quit();
+        haveAllEnded = thread->wait(deadline) && haveAllEnded;
+    }
+    return haveAllEnded;
 }
 
 } // namespace gorizont

@@ -1,16 +1,21 @@
 #pragma once
 
 #include "app/server/acquisition.h"
+#include "core/alarms/alarmwatch.h"
 #include "core/config/serverconfig.h"
+#include "core/net/clientinfo.h"
 
 #include <QModbusDevice>
 #include <QObject>
 #include <QThread>
 
 #include <memory>
+#include <vector>
 
 namespace gorizont {
 
+class Adc24Server;
+class ClientDesk;
 class HistoryWriter;
 class ModbusServer;
 class ReadingPrinter;
@@ -38,11 +43,19 @@ public:
 
     SensorRegistry &registry() { return m_registry; }
     Journal &journal() { return m_journal; }
+    AlarmWatch &alarms() { return m_alarms; }
+    /// The worker of section [Port\a port]; null when the port is off.
+    LineWorker *worker(int port) const { return m_acquisition.worker(port); }
+    /// Opens ports that wait and asks sensors that are parked, at once.
+    void retryLines() { m_acquisition.retry(); }
+
+    /// Cuts off one connection of \a service; nothing happens when it has gone meanwhile.
+    void dismissClient(const QString &service, const QHostAddress &address, quint16 port);
 
     void start();
 
-    /// Stop timers → interrupt lines → quit → wait (PExit) → flush storage. False: a thread did not end in time and the
-    /// process has to end hard. The second call does nothing.
+    /// Stop timers → interrupt lines → quit → flush storage → wait, all within PExit. False: a thread did not end in time
+    /// and the process has to end hard. The second call does nothing.
     bool shutdown();
 
 Q_SIGNALS:
@@ -50,24 +63,30 @@ Q_SIGNALS:
     void measurementWritten(const QString &line);
     /// What the Modbus server does, for the status bar.
     void serverStatusChanged(const QString &text);
+    /// All clients of \a service: once a second while there are any, and once after the last one left.
+    void clientsChanged(const QString &service, const QList<gorizont::ClientInfo> &clients);
 
 private:
     void makeHistory();
     void makeModbus();
+    void makeAdc24();
+    void connectDesk(ClientDesk &desk);
     void makePrinter();
     void tellComplaints();
     QString modbusText(QModbusDevice::State state) const;
-    bool endThread(QThread &thread, const QDeadlineTimer &deadline);
 
     ApplicationSettings m_settings;
     SensorRegistry m_registry;
     Journal m_journal;
+    AlarmWatch m_alarms;
     Acquisition m_acquisition;
     QThread m_storageThread;
     QThread m_serversThread;
     QThread m_printerThread;
     std::unique_ptr<HistoryWriter> m_history;
     std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
+    std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer
+    std::vector<ClientDesk *> m_desks; ///< of the servers above, which own them
     std::unique_ptr<ReadingPrinter> m_printer; ///< empty: without --print-readings
     bool m_isRunning = false;
 };

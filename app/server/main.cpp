@@ -97,16 +97,23 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
 {
     QApplication::setQuitOnLastWindowClosed(false);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gorizont.svg")));
-    MainWindow window(application.registry(), application.journal(), site.reading.config, site.reading.complaints);
-    const TrayIcon tray(window, application.registry());
+    MainWindow window(
+        application.registry(), application.journal(), application.alarms(), site.reading.config,
+        site.reading.complaints);
+    window.offerService([&application](int port) { return application.worker(port); }, application.journal());
+    const TrayIcon tray(window, application.registry(), application.alarms());
+    QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);
     QObject::connect(&application, &Application::serverStatusChanged, &window, &MainWindow::setServerStatus);
+    QObject::connect(&application, &Application::clientsChanged, &window, &MainWindow::setClients);
+    QObject::connect(&window, &MainWindow::clientDismissed, &application, &Application::dismissClient);
     QObject::connect(&instance, &SingleInstance::raiseRequested, &window, &MainWindow::raiseWindow);
     QObject::connect(&window, &MainWindow::registerMapRequested, &window, [&window, &site] {
         (new RegisterMapDialog(registerDocument(site.reading.config), &window))->show();
     });
     QObject::connect(&window, &MainWindow::exitRequested, QCoreApplication::instance(), &QCoreApplication::quit);
-    QObject::connect(&signals_, &UnixSignals::terminated, QCoreApplication::instance(), &QCoreApplication::quit);
+    // Not quit() alone: that asks the windows, and CanClose=0 would ask the user.
+    QObject::connect(&signals_, &UnixSignals::terminated, &window, &MainWindow::endWithoutQuestion);
     application.start();
     window.showAtStart();
     return QApplication::exec();

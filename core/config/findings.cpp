@@ -55,7 +55,8 @@ void Findings::add(const Complaint &complaint)
 
 void Findings::addReplaced(const QString &section, const QString &key, const QString &asWritten)
 {
-    m_replaced.insert(QString(section + u'/' + key).toLower(), asWritten);
+    constexpr qsizetype longestShown = 200; // characters
+    m_replaced.insert(QString(section + u'/' + key).toLower(), asWritten.left(longestShown));
 }
 
 QList<Complaint> Findings::complaints() const

@@ -8,6 +8,9 @@ namespace gorizont {
 
 namespace {
 
+/// No title, name or remark is longer; a window system is not asked to show megabytes.
+constexpr qsizetype longestText = 4000; ///< characters
+
 /// A number as the file gives it, or why it is none that can be used.
 struct Number
 {
@@ -15,11 +18,13 @@ struct Number
     QString problem; ///< empty: the value is good
 };
 
-QString outside(const QString &written, SectionReader::Range range)
+QString outside(const QString &written, double value, SectionReader::Range range)
 {
     if (range.maximum >= std::numeric_limits<int>::max()) {
-        return QCoreApplication::translate("ServerConfig", "%1 is less than %2.")
-            .arg(quoted(written), QString::number(range.minimum));
+        return value < range.minimum ? QCoreApplication::translate("ServerConfig", "%1 is less than %2.")
+                                           .arg(quoted(written), QString::number(range.minimum))
+                                     : QCoreApplication::translate("ServerConfig", "%1 is more than %2.")
+                                           .arg(quoted(written), QString::number(range.maximum, 'f', 0));
     }
     return QCoreApplication::translate("ServerConfig", "%1 is outside %2…%3.")
         .arg(quoted(written), QString::number(range.minimum), QString::number(range.maximum, 'g', 10));
@@ -28,7 +33,7 @@ QString outside(const QString &written, SectionReader::Range range)
 Number inRange(const QString &written, double value, SectionReader::Range range)
 {
     if (value < range.minimum || value > range.maximum) {
-        return {0, outside(written, range)};
+        return {0, outside(written, value, range)};
     }
     return {value, {}};
 }
@@ -64,10 +69,18 @@ SectionReader::SectionReader(const IniFile &file, const QString &section, Findin
 {
 }
 
-void SectionReader::take(const QString &key, QString &value) const
+void SectionReader::take(const QString &key, QString &value)
 {
-    if (const auto entry = find(key)) {
-        value = entry->value;
+    const auto entry = find(key);
+    if (!entry) {
+        return;
+    }
+    value = entry->value.left(longestText);
+    if (value.size() < entry->value.size()) {
+        refuse(
+            key, *entry,
+            QCoreApplication::translate("ServerConfig", "The text is longer than %1 characters.").arg(longestText),
+            QCoreApplication::translate("ServerConfig", "Its beginning is used."));
     }
 }
 

@@ -27,7 +27,7 @@ public:
 
     bool has(const QString &key) const { return find(key).has_value(); }
 
-    void take(const QString &key, QString &value) const;
+    void take(const QString &key, QString &value); ///< the beginning of what is longer than a text can be
     void take(const QString &key, bool &value); ///< 0 or 1
     void take(const QString &key, std::chrono::milliseconds &value, Range range);
     void take(const QString &key, std::chrono::seconds &value, Range range);

@@ -8,6 +8,8 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace gorizont {
 
 using namespace Qt::Literals::StringLiterals;
@@ -60,6 +62,7 @@ void readServers(SectionReader &common, ServerConfig &config)
     common.take(u"IPPort1"_s, config.modbusPort, tcpPorts);
     common.take(u"IPPort2"_s, config.adc24Port, tcpPorts);
     common.take(u"CanModbus"_s, config.servesModbus);
+    common.take(u"CanADC24"_s, config.servesAdc24);
     common.take<ModbusPacking>(
         u"ModbusPacking"_s, config.modbusPacking,
         {{u"ByType"_s, ModbusPacking::ByType}, {u"ByNumber"_s, ModbusPacking::ByNumber}});
@@ -71,6 +74,61 @@ void readServers(SectionReader &common, ServerConfig &config)
     QString allowed;
     common.take(u"ModbusAllow"_s, allowed);
     config.modbusAllow = allowed.split(separators, Qt::SkipEmptyParts);
+}
+
+/// Two servers cannot have one port.
+void settlePorts(SectionReader &common, ServerConfig &config)
+{
+    if (config.servesModbus && config.servesAdc24 && config.modbusPort == config.adc24Port) {
+        common.complain(
+            u"IPPort2"_s,
+            QCoreApplication::translate("ServerConfig", "%1 is the port of Modbus TCP already.").arg(config.adc24Port),
+            QCoreApplication::translate("ServerConfig", "ADC24 TCP is switched off."));
+        common.replace(u"CanADC24"_s);
+        config.servesAdc24 = false;
+    }
+}
+
+bool hasAccelerometer(const QList<LineConfig> &lines, int number)
+{
+    return std::any_of(lines.begin(), lines.end(), [number](const LineConfig &line) {
+        return std::any_of(line.sensors.begin(), line.sensors.end(), [number](const SensorConfig &sensor) {
+            return sensor.number == number && sensor.measuresAcceleration;
+        });
+    });
+}
+
+/// The Cyrillic letters look the same and are taken for the Latin ones.
+void readAxis(SectionReader &section, ServerConfig &config)
+{
+    QString written = u"X"_s;
+    section.take(u"Axis"_s, written);
+    const QString axis = written.toUpper().replace(u'Х', u'X').replace(u'У', u'Y');
+    if (axis == u"X"_s || axis == u"Y"_s) {
+        config.adc24Axis = axis == u"X"_s ? Adc24Axis::X : Adc24Axis::Y;
+        return;
+    }
+    section.complain(
+        u"Axis"_s, QCoreApplication::translate("ServerConfig", "%1 is none of %2.").arg(quoted(written), u"X, Y"_s),
+        QCoreApplication::translate("ServerConfig", "The default %1 is used.").arg(u"X"_s));
+    section.replace(u"Axis"_s);
+}
+
+void readAdc24(const IniFile &file, Findings &findings, ServerConfig &config)
+{
+    SectionReader section(file, u"ADC24"_s, findings);
+    const QString first = QCoreApplication::translate("ServerConfig", "The first accelerometer is used.");
+    section.take(u"Sensor"_s, config.adc24Sensor, {1}, first);
+    if (config.adc24Sensor > 0 && !hasAccelerometer(config.lines, config.adc24Sensor)) {
+        section.complain(
+            u"Sensor"_s,
+            QCoreApplication::translate("ServerConfig", "The site has no accelerometer with number %1.")
+                .arg(config.adc24Sensor),
+            first);
+        section.replace(u"Sensor"_s);
+        config.adc24Sensor = 0;
+    }
+    readAxis(section, config);
 }
 
 void complainOfSections(const IniFile &file, Findings &findings)
@@ -129,10 +187,12 @@ ConfigReading readServerConfig(const IniFile &file)
     SectionReader common(file, u"Common"_s, findings);
     readProgram(common, config);
     readServers(common, config);
+    settlePorts(common, config);
     readStorage(common, config);
     config.timing = readTiming(file, findings);
     config.lines = readLines(file, findings);
     settleClaims(config.lines, file, findings);
+    readAdc24(file, findings, config);
     complainOfRepetitions(file, findings);
     config.replaced = findings.replaced();
     return {config, findings.complaints()};

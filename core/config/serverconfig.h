@@ -14,6 +14,9 @@ class IniFile;
 /// How the register blocks of units 3 and 6 are laid out (spec/gorizont.md, section 6).
 enum class ModbusPacking : quint8 { ByType, ByNumber };
 
+/// Which axis of the accelerometer ADC24 TCP serves.
+enum class Adc24Axis : quint8 { X, Y };
+
 /// Something in the ini that is not as it should be. Never fatal.
 struct Complaint
 {
@@ -38,6 +41,7 @@ struct ServerConfig
     int modbusPort = 502; ///< IPPort1
     int adc24Port = 503; ///< IPPort2
     bool servesModbus = true; ///< CanModbus
+    bool servesAdc24 = true; ///< CanADC24
     bool servesOpc = false; ///< CanOPCDA
     bool showsAdvanced = false; ///< ShowAdvanced
     bool allowsCopy = false; ///< CanCopy
@@ -58,6 +62,8 @@ struct ServerConfig
     QString modbusBind; ///< ModbusBind: address to listen on; empty: all
     QStringList modbusAllow; ///< ModbusAllow: addresses and CIDR blocks; empty: everybody
     bool hasLegacyStatusBits = false; ///< LegacyStatusBits
+    int adc24Sensor = 0; ///< [ADC24] Sensor: N of an accelerometer; 0: the first
+    Adc24Axis adc24Axis = Adc24Axis::X; ///< [ADC24] Axis
 
     Timing timing;
     QList<LineConfig> lines; ///< in the order of the sections; what is off is listed too

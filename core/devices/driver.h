@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/line/line.h"
+#include "core/values/deviceinformation.h"
 #include "core/values/journalentry.h"
 #include "core/values/reading.h"
 #include "core/values/sampleblock.h"
@@ -54,14 +55,19 @@ public:
     /// Events since the last call, once for each change of state.
     QList<DriverNote> takeNotes() { return std::exchange(m_notes, {}); }
 
+    /// What the device has said of itself, if something of it is new since the last call.
+    std::optional<DeviceInformation> takeInformation() { return std::exchange(m_information, std::nullopt); }
+
     const DriverSettings &settings() const { return m_settings; }
 
 protected:
     void note(JournalKind kind, const QString &text) { m_notes.append({kind, text}); }
+    void report(const DeviceInformation &information) { m_information = information; }
 
 private:
     DriverSettings m_settings;
     QList<DriverNote> m_notes;
+    std::optional<DeviceInformation> m_information;
 };
 
 } // namespace gorizont

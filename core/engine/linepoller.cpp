@@ -137,7 +137,7 @@ void LinePoller::poll(PolledSensor &sensor, Line &line, TurnReport &report)
         report.lineFault = polled.fault();
         return;
     }
-    addNotes(sensor, report);
+    addWords(sensor, report);
     addStatusChange(sensor, before, report);
     report.readings.append(sensor.reading());
     m_toFetch = m_isBehind && polled && sensor.hasBacklog() ? &sensor : nullptr;
@@ -153,7 +153,7 @@ void LinePoller::fetch(PolledSensor &sensor, Line &line, TurnReport &report)
     } else if (isLineFault(blocks.fault())) {
         report.lineFault = blocks.fault();
     }
-    addNotes(sensor, report);
+    addWords(sensor, report);
 }
 
 bool LinePoller::hasBacklog() const
@@ -194,8 +194,10 @@ void LinePoller::addStatusChange(const PolledSensor &sensor, quint16 before, Tur
     }
 }
 
-void LinePoller::addNotes(PolledSensor &sensor, TurnReport &report) const
+/// What the driver has to say beside values.
+void LinePoller::addWords(PolledSensor &sensor, TurnReport &report) const
 {
+    report.information = sensor.driver().takeInformation();
     for (const DriverNote &note : sensor.driver().takeNotes()) {
         const QString title = sensorTitle(sensor.config(), m_settings.line);
         report.events.append({note.kind, QStringLiteral("%1: %2").arg(title, note.text), sensor.config().number});

@@ -32,6 +32,7 @@ struct TurnReport
     Readings readings;
     QList<SampleBlock> blocks;
     QList<Event> events;
+    std::optional<DeviceInformation> information; ///< one of the sensors said something new of itself
     std::optional<Fault> lineFault; ///< Closed or Cancelled: what ended the turn is no fault of a sensor
     bool isCycleOver = false;
     SteadyTime nextAt; ///< when the next turn is due
@@ -65,7 +66,7 @@ private:
     void changeAddress(const PolledSensor &sensor, Line &line);
     std::chrono::milliseconds pauseAfter(const Result<void> &polled) const;
     void addStatusChange(const PolledSensor &sensor, quint16 before, TurnReport &report) const;
-    void addNotes(PolledSensor &sensor, TurnReport &report) const;
+    void addWords(PolledSensor &sensor, TurnReport &report) const;
 
     PollingSettings m_settings;
     std::vector<std::unique_ptr<PolledSensor>> m_sensors;

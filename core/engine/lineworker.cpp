@@ -198,6 +198,9 @@ void LineWorker::turn()
     for (const SampleBlock &block : report.blocks) {
         Q_EMIT blockReady(block);
     }
+    if (report.information) {
+        Q_EMIT informationReady(*report.information);
+    }
     if (report.lineFault == Fault::Closed) {
         lineLost();
     }

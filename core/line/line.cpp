@@ -32,6 +32,11 @@ void Line::sleepUntil(SteadyTime time)
     std::this_thread::sleep_until(time);
 }
 
+int Line::sliceUntil(const QDeadlineTimer &deadline) const
+{
+    return static_cast<int>(std::min<qint64>(deadline.remainingTime(), m_pauseTick.count()));
+}
+
 Result<QByteArray> Line::exchange(const Exchange &exchange)
 {
     if (const auto quiet = waitForQuiet(std::max(exchange.quietBefore, m_requiredQuiet)); !quiet) {

@@ -5,6 +5,7 @@
 #include "core/values/timing.h"
 
 #include <QByteArray>
+#include <QDeadlineTimer>
 #include <QString>
 
 #include <atomic>
@@ -82,6 +83,9 @@ protected:
     /// The clock of the line; a line of a test brings its own, so that silence costs it no time.
     virtual SteadyTime now() const;
     virtual void sleepUntil(SteadyTime time);
+
+    /// How long to wait at once, in ms, for something that may take until \a deadline.
+    int sliceUntil(const QDeadlineTimer &deadline) const;
 
     void setLastError(int code, const QString &text) { m_lastError = {code, text}; }
 

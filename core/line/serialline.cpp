@@ -1,7 +1,6 @@
 #include "core/line/serialline.h"
 
 #include <QCoreApplication>
-#include <QDeadlineTimer>
 #include <QFile>
 
 #ifdef Q_OS_LINUX
@@ -70,11 +69,18 @@ SerialLine::~SerialLine() = default;
 Result<void> SerialLine::open()
 {
     m_port.clearError();
-    if (m_port.open(QIODevice::ReadWrite) && configure(m_config)) {
-        m_port.clear();
-        return {};
+    if (!m_port.open(QIODevice::ReadWrite) || !configure(m_config)) {
+        return closeBroken();
     }
-    return closeBroken();
+    if (m_config.isRs485 && !enableRs485(m_port)) {
+        m_port.close();
+        setLastError(
+            QSerialPort::UnsupportedOperationError,
+            QCoreApplication::translate("gorizont::SerialLine", "the adapter does not know RS485=1"));
+        return Fault::Closed;
+    }
+    m_port.clear();
+    return {};
 }
 
 bool SerialLine::configure(const LineConfig &config)
@@ -82,7 +88,7 @@ bool SerialLine::configure(const LineConfig &config)
     return m_port.setBaudRate(config.baudRate)
         && m_port.setDataBits(static_cast<QSerialPort::DataBits>(config.dataBits))
         && m_port.setParity(qtParity(config.parity)) && m_port.setStopBits(qtStopBits(config.stopBits))
-        && m_port.setFlowControl(QSerialPort::NoFlowControl) && (!config.isRs485 || enableRs485(m_port));
+        && m_port.setFlowControl(QSerialPort::NoFlowControl);
 }
 
 void SerialLine::close()
@@ -103,7 +109,11 @@ Result<void> SerialLine::writeAll(QByteArrayView bytes, std::chrono::millisecond
     m_port.write(bytes.data(), bytes.size());
     const QDeadlineTimer deadline(timeout);
     while (m_port.bytesToWrite() > 0) {
-        if (!m_port.waitForBytesWritten(static_cast<int>(deadline.remainingTime()))) {
+        if (isInterrupted()) {
+            m_port.clear(QSerialPort::Output);
+            return Fault::Cancelled;
+        }
+        if (!m_port.waitForBytesWritten(sliceUntil(deadline)) && (hasFailed() || deadline.hasExpired())) {
             // A port that does not take a few bytes in time is broken too.
             return closeBroken();
         }

@@ -1,7 +1,5 @@
 #include "core/line/tcpline.h"
 
-#include <QDeadlineTimer>
-
 namespace gorizont {
 
 namespace {
@@ -10,7 +8,6 @@ using namespace std::chrono_literals;
 
 /// A device server that does not accept within this time is off.
 constexpr auto connectLimit = 3000ms;
-constexpr auto connectSlice = 100ms;
 
 } // namespace
 
@@ -33,7 +30,7 @@ Result<void> TcpLine::open()
     m_socket.connectToHost(m_host, m_port);
     const QDeadlineTimer deadline(connectLimit);
     while (m_socket.state() != QAbstractSocket::ConnectedState) {
-        if (m_socket.waitForConnected(static_cast<int>(connectSlice.count()))) {
+        if (m_socket.waitForConnected(sliceUntil(deadline))) {
             break;
         }
         if (isInterrupted()) {
@@ -67,8 +64,14 @@ Result<void> TcpLine::writeAll(QByteArrayView bytes, std::chrono::milliseconds t
     m_socket.write(bytes.data(), bytes.size());
     const QDeadlineTimer deadline(timeout);
     while (m_socket.bytesToWrite() > 0) {
-        if (!m_socket.waitForBytesWritten(static_cast<int>(deadline.remainingTime()))) {
-            // Half a request may be under way; what follows it would be misread, so the connection ends either way.
+        // Half a request may be under way; what follows it would be misread, so the connection ends either way.
+        if (isInterrupted()) {
+            m_socket.abort();
+            return Fault::Cancelled;
+        }
+        const bool isGoingOn = m_socket.waitForBytesWritten(sliceUntil(deadline))
+            || m_socket.error() == QAbstractSocket::SocketTimeoutError;
+        if (!isGoingOn || deadline.hasExpired()) {
             return closeBroken();
         }
     }

@@ -8,10 +8,10 @@ ModbusConfig modbusConfig(const ServerConfig &config)
     modbus.port = config.modbusPort;
     modbus.packing = config.modbusPacking;
     modbus.base = config.modbusBase;
-    modbus.clients = config.modbusClients;
-    modbus.idle = config.modbusIdle;
-    modbus.bind = config.modbusBind;
-    modbus.allow = config.modbusAllow;
+    modbus.desk.clients = config.modbusClients;
+    modbus.desk.idle = config.modbusIdle;
+    modbus.desk.bind = config.modbusBind;
+    modbus.desk.allow = config.modbusAllow;
     modbus.lines = config.lines;
     modbus.rules = {config.timing.readErrorLimit, config.timing.crcErrorLimit, config.hasLegacyStatusBits};
     return modbus;

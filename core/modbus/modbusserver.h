@@ -1,14 +1,9 @@
 #pragma once
 
-#include "core/modbus/allowlist.h"
-#include "core/modbus/clientdiary.h"
-#include "core/modbus/modbuspeer.h"
-#include "core/modbus/tcplistener.h"
-#include "core/values/journalentry.h"
+#include "core/modbus/modbusanswer.h"
+#include "core/net/clientdesk.h"
 
 #include <QModbusServer>
-
-#include <vector>
 
 namespace gorizont {
 
@@ -26,11 +21,10 @@ class ModbusServer : public QModbusServer
 
 public:
     explicit ModbusServer(const ModbusConfig &config, QObject *parent = nullptr);
-    ~ModbusServer() override;
 
-    quint16 serverPort() const { return m_listener.port(); } ///< 0: not listening
-    /// Who is connected now, in the order they came. Only in the thread of the server.
-    QList<gorizont::ModbusClientInfo> clients() const;
+    /// The clients, and what the journal is told. It lives in the thread of the server.
+    ClientDesk &desk() { return m_desk; }
+    quint16 serverPort() const { return m_desk.port(); } ///< 0: not listening
 
     /// The images are the only registers there are: this base-class door only reads. data() shows the input registers of
     /// unit serverAddress(), at first 3.
@@ -40,11 +34,6 @@ public Q_SLOTS:
     void updateReadings(const QList<gorizont::Reading> &batch);
     void updateLine(const gorizont::LineStatus &status);
 
-Q_SIGNALS:
-    void journal(const gorizont::JournalEntry &entry);
-    /// Once a second while somebody listens to this signal and somebody is connected, and once after the last one left.
-    void clientsChanged(const QList<gorizont::ModbusClientInfo> &clients);
-
 protected:
     bool open() override;
     void close() override;
@@ -52,30 +41,10 @@ protected:
     bool writeData(const QModbusDataUnit &unit) override;
 
 private:
-    void onListening();
-    void onListenFailed(QAbstractSocket::SocketError error, const QString &reason);
-    void onConnected(QTcpSocket *socket);
-    void admit(QTcpSocket *socket);
-    void onEnded(ModbusPeer *peer, ModbusPeer::End how);
-    void remove(ModbusPeer *peer);
-    void dismiss(ModbusPeer *peer, ClientTrouble reason);
-    void makeRoom();
-    void lookAround();
-    void dismissIdle(SteadyTime now);
-    void publishClients();
-    void tell(JournalKind kind, const QString &text);
-    void tellTrouble(ClientTrouble trouble, const QHostAddress &address);
+    void tellUnreachable();
 
-    const ModbusConfig m_config;
-    const AllowList m_allowed;
     UnitImages m_images;
-    ClientDiary m_diary;
-    TcpListener m_listener;
-    QTimer m_round; ///< once a second while connected
-    std::vector<ModbusPeer *> m_peers; ///< children, in the order they came
-    bool m_hasPublished = false; ///< the last clientsChanged() was not empty
+    ClientDesk m_desk; ///< after the images: its peers read them
 };
 
 } // namespace gorizont
-
-Q_DECLARE_METATYPE(gorizont::ModbusClientInfo)

@@ -15,7 +15,8 @@ SensorRegistry::SensorRegistry(const QList<LineConfig> &lines, const StatusRules
         m_lines.push_back({line, status, {}});
         m_indexOfPort.insert(line.index, lineIndex);
         for (const SensorConfig &sensor : line.sensors) {
-            Sensor entry{sensor, lineIndex, {}, 0};
+            Sensor entry{sensor, lineIndex, {}, 0, {}};
+            entry.information.number = sensor.number;
             entry.reading.number = sensor.number;
             entry.reading.time = utcNow();
             entry.reading.status = initialSensorWord(line, sensor, rules);
@@ -84,6 +85,13 @@ void SensorRegistry::setPacketsSaved(int number, quint64 packets)
 {
     if (const int index = indexOf(number); index >= 0) {
         m_sensors[static_cast<std::size_t>(index)].packetsSaved = packets;
+    }
+}
+
+void SensorRegistry::setInformation(const DeviceInformation &information)
+{
+    if (const int index = indexOf(information.number); index >= 0) {
+        m_sensors[static_cast<std::size_t>(index)].information = information;
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/values/deviceinformation.h"
 #include "core/values/lineconfig.h"
 #include "core/values/linestatus.h"
 #include "core/values/reading.h"
@@ -33,6 +34,7 @@ public:
         int line = 0; ///< index into lines()
         Reading reading;
         quint64 packetsSaved = 0; ///< packets of samples that are in the binary files
+        DeviceInformation information; ///< with CanInfo=1
     };
 
     SensorRegistry(const QList<LineConfig> &lines, const StatusRules &rules, QObject *parent = nullptr);
@@ -55,6 +57,8 @@ public Q_SLOTS:
     void updateLine(const gorizont::LineStatus &status);
     void addBlock(const gorizont::SampleBlock &block);
     void setPacketsSaved(int number, quint64 packets);
+    /// Told to nobody: it changes once a minute, and whoever shows it looks here.
+    void setInformation(const gorizont::DeviceInformation &information);
 
 Q_SIGNALS:
     void readingsChanged(const QList<gorizont::Reading> &batch);

@@ -2,6 +2,7 @@
 // batch a port. `bench_window [seconds]` prints the share of one core, visible on each page and hidden; the readings come from
 // another thread, as they do in the program. `bench_window --shots FOLDER [ru|en]` writes pictures of a small site instead.
 
+#include "core/alarms/alarmwatch.h"
 #include "ui/firstrundialog.h"
 #include "ui/mainwindow.h"
 
@@ -96,9 +97,10 @@ void bench(int seconds)
     ServerConfig config = test::sampleConfig();
     config.lines = largestSite();
     SensorRegistry registry(config.lines, StatusRules());
+    AlarmWatch alarms(registry);
     Journal journal;
     const double before = threadSeconds();
-    MainWindow window(registry, journal, config, {});
+    MainWindow window(registry, journal, alarms, config, {});
     std::printf("%-24s %5.0f ms\n", "to build the window", 1000 * (threadSeconds() - before));
     QThread thread;
     auto *clock = new QObject;
@@ -143,8 +145,9 @@ void takeShots(const QString &folder)
     config.closesSilently = false;
     config.replaced.insert(QStringLiteral("timers/tmrun"), QStringLiteral("-100"));
     SensorRegistry registry(config.lines, StatusRules());
+    AlarmWatch alarms(registry);
     Journal journal;
-    MainWindow window(registry, journal, config, {});
+    MainWindow window(registry, journal, alarms, config, {});
     const SteadyTime now = std::chrono::steady_clock::now();
     registry.updateLine(test::openLine(1, now - std::chrono::seconds(238)));
     registry.updateLine(test::openLine(2, now - std::chrono::seconds(4000)));

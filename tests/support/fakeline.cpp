@@ -44,12 +44,13 @@ Result<void> FakeLine::open()
     return {};
 }
 
-Result<void> FakeLine::writeAll(QByteArrayView bytes, std::chrono::milliseconds)
+Result<void> FakeLine::writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout)
 {
     if (!m_isOpen) {
         return Fault::Closed;
     }
     m_requestTimes.append(elapsed());
+    m_writeTimeouts.append(timeout);
     if (isDone()) {
         m_complaints.append("unexpected: " + bytes.toByteArray().toHex(' '));
         return {};
@@ -73,12 +74,19 @@ Result<QByteArray> FakeLine::readSome(std::chrono::microseconds timeout)
     if (!m_isOpen) {
         return Fault::Closed;
     }
+    m_longestSlice = std::max(m_longestSlice, timeout);
     if (m_arrivals.isEmpty() || m_arrivals.first().at > m_now + timeout) {
         m_now += timeout;
         return QByteArray();
     }
     m_now = std::max(m_now, m_arrivals.first().at);
     return m_arrivals.takeFirst().bytes;
+}
+
+void FakeLine::sleepUntil(SteadyTime time)
+{
+    m_longestSlice = std::max(m_longestSlice, std::chrono::ceil<std::chrono::microseconds>(time - m_now));
+    m_now = std::max(m_now, time);
 }
 
 } // namespace gorizont::test

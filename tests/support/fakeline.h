@@ -18,8 +18,8 @@ public:
         std::chrono::milliseconds delay{0}; ///< after the request, or after the piece before
     };
 
-    FakeLine()
-        : Line(std::chrono::milliseconds(100))
+    explicit FakeLine(std::chrono::milliseconds pauseTick = std::chrono::milliseconds(100))
+        : Line(pauseTick)
     {
     }
 
@@ -35,6 +35,8 @@ public:
     QByteArrayList complaints() const { return m_complaints; }
     std::chrono::milliseconds elapsed() const; ///< on the line's own clock
     QList<std::chrono::milliseconds> requestTimes() const { return m_requestTimes; }
+    QList<std::chrono::milliseconds> writeTimeouts() const { return m_writeTimeouts; } ///< one for each request
+    std::chrono::microseconds longestSlice() const { return m_longestSlice; } ///< that was waited without a look around
 
     Result<void> open() override;
     void close() override { m_isOpen = false; }
@@ -44,7 +46,7 @@ protected:
     Result<void> writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout) override;
     Result<QByteArray> readSome(std::chrono::microseconds timeout) override;
     SteadyTime now() const override { return m_now; }
-    void sleepUntil(SteadyTime time) override { m_now = std::max(m_now, time); }
+    void sleepUntil(SteadyTime time) override;
 
 private:
     struct Turn
@@ -64,6 +66,8 @@ private:
     QList<Arrival> m_arrivals;
     QByteArrayList m_complaints;
     QList<std::chrono::milliseconds> m_requestTimes;
+    QList<std::chrono::milliseconds> m_writeTimeouts;
+    std::chrono::microseconds m_longestSlice{0};
     SteadyTime m_start{std::chrono::hours(1)};
     SteadyTime m_now{m_start};
     bool m_isOpen = true;

@@ -28,7 +28,11 @@ def free_port():
 
 
 def annex(**changes):
-    """The ini of the manual's annex, as it is but for `key=value` of some keys (the first of that name)."""
+    """The ini of the manual's annex, as it is but for `key=value` of some keys (the first of that name).
+
+    The port of ADC24 is a free one, so that tests can run side by side.
+    """
+    changes.setdefault("IPPort2", free_port())
     text = (DATA / "config" / "annex-utf8.ini").read_bytes().decode("utf-8-sig")
     for key, value in changes.items():
         text, count = re.subn(rf"(?m)^{key}=.*?(\r?)$", rf"{key}={value}\1", text, count=1)
@@ -150,6 +154,51 @@ class ModbusClient:
             raise ModbusError(body[1])
         assert body[0] == function and body[1] == 2 * count and len(body) == 2 + 2 * count
         return body[2:]
+
+    def _exactly(self, count):
+        data = b""
+        while len(data) < count:
+            more = self.socket.recv(count - len(data))
+            assert more, "the server closed the connection"
+            data += more
+        return data
+
+    def close(self):
+        self.socket.close()
+
+
+class Adc24Client:
+    """Written from spec/gorizont.md, section 7, without a look at the server."""
+
+    def __init__(self, port):
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=10)
+
+    def available(self):
+        address, command, samples = struct.unpack("<BBI", self._ask(1, 0, 0, 6))
+        assert (address, command) == (1, 1)
+        return samples
+
+    def block(self, number, size):
+        """The samples of a block; None when there is no such block."""
+        answer = self._ask(3, number, size, 8)
+        assert answer[:2] == b"\x01\x03"
+        if answer[2] != 2:
+            assert answer[4:] == bytes(4)
+            return None
+        element, status, count, scale, rate = struct.unpack("<BBIdd", answer[2:] + self._exactly(16))
+        assert (element, count, scale, rate) == (2, size, 1 / 8, 10.0), (element, status, count, scale, rate)
+        return list(struct.unpack(f"<{count}h", self._exactly(2 * count)))
+
+    def samples(self, size):
+        """All whole blocks there are."""
+        found = []
+        for number in range(self.available() // size):
+            found += self.block(number, size)
+        return found
+
+    def _ask(self, command, block, size, length):
+        self.socket.sendall(struct.pack("<BBBBBII", 1, command, 0, 0, 0, block, size))
+        return self._exactly(length)
 
     def _exactly(self, count):
         data = b""

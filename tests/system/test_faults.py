@@ -36,6 +36,24 @@ class Faults(unittest.TestCase):
             errors = [line for line in site.file_text("log").splitlines() if line.startswith("3") and "COM9" in line]
             self.assertEqual(len(errors), 1, errors)
 
+    def test_the_journal_has_one_line_for_each_way_of_a_message(self):
+        ini = annex(IPPort1=free_port(), TORCom=100, NumRErrSrs=5, TmRun=200)
+        with Site(ini, faults=["silent=3@5-15", "gone=10:3@6"]) as site:
+            server = site.start()
+            site.wait_for(lambda last: last.get(3, {}).get("status") == 0x0300, what="first answer")
+            site.wait_for(lambda last: last[3]["status"] == 0x3700, what="code 3")
+            site.wait_for(lambda last: last[3]["status"] == 0x0300, what="return")
+            site.wait_for(lambda last: last[1]["status"] & 0xF000 == 0 and "tiltX" in last[1], what="port")
+            self.assertEqual(server.stop(), 0)
+            log = site.file_text("log").splitlines()
+            # What a dispatcher reads: the sensor falls silent and works again; the port goes and comes, its two
+            # sensors say nothing of their own.
+            sensor = [line[0] for line in log if "COM9" in line and "№ 3" in line]
+            self.assertEqual(sensor, ["3", "1"], log)
+            port = [line[0] for line in log if "COM10" in line and "№" not in line]
+            self.assertEqual(port, ["1", "3", "1"], log)
+            self.assertEqual([line for line in log if "COM10" in line and "№" in line and line[0] == "3"], [], log)
+
     def test_noise_does_not_stop_the_readings(self):
         faults = ["crc=10", "garbage=20", "pieces=50"]
         with Site(annex(IPPort1=free_port(), SCRCErrors=10, TmRun=200), faults=faults) as site:

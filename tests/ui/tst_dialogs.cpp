@@ -1,10 +1,7 @@
-#include "ui/attentionbanner.h"
 #include "ui/complaintsdialog.h"
 #include "ui/firstrundialog.h"
-#include "ui/mainwindow.h"
 #include "ui/models/icons.h"
 #include "ui/registermapdialog.h"
-#include "ui/trayicon.h"
 
 #include "tests/ui/samplesite.h"
 
@@ -12,7 +9,6 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
@@ -116,37 +112,6 @@ private Q_SLOTS:
         QCOMPARE(dialog.choice(), FirstRunDialog::Choice::Quit);
         dialog.findChild<QAbstractButton *>(button)->click();
         QCOMPARE(static_cast<int>(dialog.choice()), choice);
-    }
-
-    void bannerIsThereOnlyWhenNeeded()
-    {
-        QWidget window;
-        auto *banner = new AttentionBanner(&window);
-        window.show();
-        QVERIFY(!banner->isVisible());
-        banner->setCount(2);
-        QVERIFY(banner->isVisible());
-        QVERIFY(banner->findChild<QLabel *>(QStringLiteral("attentionText"))->text().contains(u'2'));
-        banner->setCount(0);
-        QVERIFY(!banner->isVisible());
-    }
-
-    void trayShowsTheWorstState()
-    {
-        SensorRegistry registry(test::sampleConfig().lines, StatusRules());
-        Journal journal;
-        MainWindow window(registry, journal, test::sampleConfig(), {});
-        TrayIcon tray(window, registry);
-        const SteadyTime now = std::chrono::steady_clock::now();
-        registry.updateLine(test::openLine(1, now));
-        LineStatus lost;
-        lost.port = 2;
-        lost.state = LineState::Lost;
-        registry.updateLine(lost);
-        registry.update({test::sampleReading(now), test::tiltReading(2, 0, 0, now)});
-        tray.refresh();
-        QCOMPARE(tray.icon().icon().cacheKey(), icons::tray(Health::Error).cacheKey());
-        QCOMPARE(tray.icon().toolTip(), QStringLiteral("Gorizont Server (тест)\nSensors good: 2, starting: 1, off: 1"));
     }
 
     /// Every state has a shape of its own: the outlines differ, not only the colours.

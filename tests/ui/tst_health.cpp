@@ -79,7 +79,6 @@ private Q_SLOTS:
         QCOMPARE(counts[Health::Good], 2);
         QCOMPARE(counts[Health::Error], 1);
         QCOMPARE(counts[Health::Off], 1);
-        QCOMPARE(counts.critical, 1);
         QCOMPARE(statetext::counts(counts), QStringLiteral("Sensors good: 2, with errors: 1, off: 1"));
         QCOMPARE(siteHealth(registry), Health::Warning);
     }

@@ -1,5 +1,6 @@
 #include "ui/models/journalmodel.h"
 
+#include "tests/ui/contrast.h"
 #include "tests/ui/modeltext.h"
 
 #include <QAbstractItemModelTester>
@@ -64,6 +65,34 @@ private Q_SLOTS:
         QCOMPARE(filter.rowCount(), 2);
         filter.setShown(JournalKind::Info, true);
         QCOMPARE(filter.rowCount(), 4);
+    }
+
+    void findsText()
+    {
+        Journal journal;
+        JournalModel model(journal);
+        JournalFilter filter;
+        filter.setSourceModel(&model);
+        QVERIFY(!filter.isFiltering());
+        journal.append({JournalKind::Error, UtcTime(1518028383s), QStringLiteral("COM4 не открывается")});
+        journal.append({JournalKind::On, UtcTime(1518028384s), QStringLiteral("COM9 открыт")});
+        filter.setText(QStringLiteral("  com4 "));
+        QCOMPARE(test::modelText(filter), QStringLiteral("18:33:03 07.02.18   COM4 не открывается"));
+        filter.setText(QStringLiteral("18:33:04"));
+        QCOMPARE(test::modelText(filter), QStringLiteral("18:33:04 07.02.18   COM9 открыт"));
+        filter.setShown(JournalKind::On, false);
+        QCOMPARE(filter.rowCount(), 0);
+        QVERIFY(filter.isFiltering());
+        filter.setText({});
+        QCOMPARE(filter.rowCount(), 1);
+    }
+
+    void coloursStandOut()
+    {
+        for (const JournalKind kind : {JournalKind::On, JournalKind::Off, JournalKind::Error}) {
+            QVERIFY(test::contrast(journalColour(kind, false), Qt::white) >= 4.5);
+            QVERIFY(test::contrast(journalColour(kind, true), QColor(0x2d, 0x2d, 0x2d)) >= 4.5);
+        }
     }
 
     void dropsWhatTheJournalDrops()

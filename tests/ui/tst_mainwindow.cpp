@@ -1,3 +1,4 @@
+#include "core/alarms/alarmwatch.h"
 #include "ui/mainwindow.h"
 
 #include "tests/ui/samplesite.h"
@@ -40,11 +41,13 @@ private Q_SLOTS:
         m_config = test::sampleConfig();
         m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
         m_journal = std::make_unique<Journal>();
+        m_alarms = std::make_unique<AlarmWatch>(*m_registry);
         open({});
     }
     void cleanup()
     {
         m_window.reset();
+        m_alarms.reset();
         m_journal.reset();
         m_registry.reset();
     }
@@ -177,9 +180,40 @@ private Q_SLOTS:
         QTRY_COMPARE(
             find<QLabel>("sensorCounts")->text(),
             QStringLiteral("Sensors good: 1, with errors: 1, starting: 1, off: 1"));
-        QVERIFY(find<QWidget>("attentionBanner")->isVisible());
         m_window->setServerStatus(QStringLiteral("Modbus: 3"));
         QCOMPARE(find<QLabel>("serverStatus")->text(), QStringLiteral("Modbus: 3"));
+    }
+
+    /// What is wrong, where, and from there to the element in the tree.
+    void bannerLeadsToTheListAndTheSensor()
+    {
+        const auto *banner = find<QWidget>("attentionBanner");
+        QVERIFY(!banner->isVisible());
+        Reading silent = test::tiltReading(3, 0, 0, std::chrono::steady_clock::now());
+        silent.status = 0x3700;
+        m_registry->update({silent});
+        QTRY_VERIFY(banner->isVisible());
+        find<QAbstractButton>("attentionShow")->click();
+        const auto *dialog = find<QDialog>("attentionDialog");
+        QVERIFY(dialog->isVisible() && !dialog->isModal());
+        QCOMPARE(currentNode(), QStringLiteral("Server")); // the list is beside the work, not in its way
+        auto *table = find<QTableView>("attentionTable");
+        const QRect row = table->visualRect(table->model()->index(0, 1));
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, row.center());
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, row.center());
+        QCOMPARE(currentNode(), QStringLiteral("3 ИН-Д3 [5]"));
+        find<QAbstractButton>("attentionAccept")->click();
+        QVERIFY(!banner->isVisible());
+        QVERIFY(find<QTreeView>("siteTree")
+                    ->currentIndex()
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("No answer"))); // the sensor stays marked
+        find<QAbstractButton>("attentionClose")->click();
+        QVERIFY(!dialog->isVisible());
+        trigger("goAction8");
+        QVERIFY(dialog->isVisible());
+        QCOMPARE(find<QAction>("goAction8")->shortcut(), QKeySequence(QStringLiteral("Ctrl+8")));
     }
 
     void hiddenWindowDoesNothing()
@@ -249,6 +283,18 @@ private Q_SLOTS:
         QVERIFY(!m_window->isVisible());
     }
 
+    void theSystemIsNotAskedBack()
+    {
+        m_config.closesSilently = false;
+        open({});
+        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
+        QVERIFY(!m_window->close());
+        QVERIFY(find<QMessageBox>("exitQuestion")->isVisible()); // not even while a question is open
+        m_window->endWithoutQuestion();
+        QCOMPARE(ended.size(), 1);
+        QVERIFY(!m_window->isVisible());
+    }
+
     void closingIsSilentOtherwise()
     {
         QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
@@ -291,14 +337,24 @@ private Q_SLOTS:
 
     void remembersItsLayout()
     {
-        m_window->resize(1000, 700);
+        m_window->setGeometry(10, 10, 770, 700);
         auto *splitter = find<QSplitter>("columnsSplitter");
-        splitter->setSizes({400, 600});
+        splitter->setSizes({300, 470});
         const QList<int> sizes = splitter->sizes();
         m_window->close();
         open({});
-        QCOMPARE(m_window->size(), QSize(1000, 700));
+        QCOMPARE(m_window->size(), QSize(770, 700));
         QTRY_COMPARE(find<QSplitter>("columnsSplitter")->sizes(), sizes);
+    }
+
+    /// The screen has become smaller, or its scale larger.
+    void comesBackWhereItCanBeSeen()
+    {
+        const QRect available = m_window->screen()->availableGeometry();
+        m_window->setGeometry(QRect(available.center(), available.size()));
+        m_window->close();
+        open({});
+        QVERIFY(available.contains(m_window->geometry()));
     }
 
     /// Tests and scripts find everything by name.
@@ -320,7 +376,7 @@ private Q_SLOTS:
 private:
     void open(const QList<Complaint> &complaints, bool isShown = true)
     {
-        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, m_config, complaints);
+        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, *m_alarms, m_config, complaints);
         if (isShown) {
             m_window->showAtStart();
             QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
@@ -361,6 +417,7 @@ private:
     ServerConfig m_config;
     std::unique_ptr<SensorRegistry> m_registry;
     std::unique_ptr<Journal> m_journal;
+    std::unique_ptr<AlarmWatch> m_alarms;
     std::unique_ptr<MainWindow> m_window;
 };
 

@@ -1,9 +1,11 @@
+#include "translations/translation.h"
 #include "ui/models/measurementmodel.h"
 
 #include "tests/ui/modeltext.h"
 #include "tests/ui/samplesite.h"
 
 #include <QAbstractItemModelTester>
+#include <QFontDatabase>
 #include <QtTest>
 
 using namespace gorizont;
@@ -44,6 +46,36 @@ private Q_SLOTS:
             QStringLiteral("Time | Ports | 1: X, ″ | 1: Y, ″ | 1: T, °C | 1: P, % | 1: status"
                            " | 2: X, ″ | 2: Y, ″ | 2: T, °C | 2: P, % | 2: status\n")
                 + QString(sample).replace(u'\t', QStringLiteral(" | ")));
+    }
+
+    void headingsExplainThemselves()
+    {
+        QVERIFY(installTranslation(QStringLiteral("ru")));
+        const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        const MeasurementModel model(registry, 60, 1);
+        QStringList notes;
+        for (int column = 0; column < 7; ++column) {
+            notes += model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString();
+        }
+        QCOMPARE(
+            notes.join(u'\n'),
+            QStringLiteral("Время и дата записи\n"
+                           "Слово состояния канала, первый порт справа: 0 — нет ошибок, 1 — не открывается, "
+                           "2 — ошибки записи, 3 — опрос отключен или порта нет\n"
+                           "1 АН-Д3 [Этаж 2] [12]: угол наклона по X, угл. сек.\n"
+                           "1 АН-Д3 [Этаж 2] [12]: угол наклона по Y, угл. сек.\n"
+                           "1 АН-Д3 [Этаж 2] [12]: температура, °C; пусто, если датчик её не измеряет\n"
+                           "1 АН-Д3 [Этаж 2] [12]: мощность нагревательного элемента термостата, %\n"
+                           "1 АН-Д3 [Этаж 2] [12]: слово состояния датчика, код и биты 11…0"));
+    }
+
+    void isMonospaced()
+    {
+        const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        MeasurementModel model(registry, 60, 1);
+        model.append(sample);
+        QCOMPARE(
+            model.index(0, 0).data(Qt::FontRole).value<QFont>(), QFontDatabase::systemFont(QFontDatabase::FixedFont));
     }
 
     void shortLineHasEmptyFields()

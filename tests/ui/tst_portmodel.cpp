@@ -1,3 +1,4 @@
+#include "translations/translation.h"
 #include "ui/models/portmodel.h"
 
 #include "tests/ui/modeltext.h"
@@ -15,6 +16,9 @@ class TestPortModel : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The headings are those of manual 000, section 4.2.
+    void initTestCase() { QVERIFY(installTranslation(QStringLiteral("ru"))); }
+
     void rows()
     {
         SensorRegistry registry(test::sampleConfig().lines, StatusRules());
@@ -36,10 +40,19 @@ private Q_SLOTS:
         QCOMPARE(changed.size(), 1);
         QCOMPARE(
             test::modelText(model, true),
-            QStringLiteral("Port | State | Time | Sent | Received | Attempts\n"
-                           "COM4 | Open, polling | 0:03:58 | 12345 | 9876543210 | 0\n"
-                           "COM9 | Cannot be opened | — | 0 | 0 | 7\n"
-                           "COM2 | Off | — | 0 | 0 | 0"));
+            QStringLiteral("Порт | Состояние | Время | Отправлено | Принято | Попыток\n"
+                           "COM4 | Открыт, идёт опрос | 0:03:58 | 12345 | 9876543210 | 0\n"
+                           "COM9 | Не открывается | — | 0 | 0 | 7\n"
+                           "COM2 | Выключен | — | 0 | 0 | 0"));
+    }
+
+    void everyHeadingExplainsItself()
+    {
+        const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        const PortModel model(registry);
+        for (int column = 0; column < model.columnCount(); ++column) {
+            QVERIFY(!model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
+        }
     }
 
     void noPorts()

@@ -1,3 +1,5 @@
+#include "core/config/inifile.h"
+#include "translations/translation.h"
 #include "ui/models/propertymodel.h"
 #include "ui/models/settingsproperties.h"
 #include "ui/models/stateproperties.h"
@@ -30,6 +32,9 @@ class TestProperties : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The words are those of manual 000, sections 4.4 – 4.8.
+    void initTestCase() { QVERIFY(installTranslation(QStringLiteral("ru"))); }
+
     void port()
     {
         const SteadyTime now = std::chrono::steady_clock::now();
@@ -47,17 +52,17 @@ private Q_SLOTS:
         registry.updateLine(status);
         QCOMPARE(
             text(portProperties(registry.lines().front(), now)),
-            QStringLiteral("Comment | Moxa UPort 1151\n"
-                           "State | Open, polling\n"
-                           "Polling time | 0:03:58\n"
-                           "Time since opening | 1:00:00\n"
-                           "Bytes sent | 10\n"
-                           "Bytes received | 20\n"
-                           "Attempts to open | 1\n"
-                           "Write errors | 2\n"
-                           "Read errors | 3\n"
-                           "CRC errors | 4\n"
-                           "Code of the last error | 12 (timed out)"));
+            QStringLiteral("Комментарий | Moxa UPort 1151\n"
+                           "Состояние | Открыт, идёт опрос\n"
+                           "Время опроса | 0:03:58\n"
+                           "Время после открытия | 1:00:00\n"
+                           "Отправлено байт | 10\n"
+                           "Принято байт | 20\n"
+                           "Попыток открытия | 1\n"
+                           "Ошибок записи | 2\n"
+                           "Ошибок чтения | 3\n"
+                           "Ошибок CRC | 4\n"
+                           "Код последней ошибки | 12 (timed out)"));
     }
 
     void sensor()
@@ -68,17 +73,47 @@ private Q_SLOTS:
         registry.setPacketsSaved(1, 179);
         QCOMPARE(
             text(sensorProperties(registry.sensors().front(), LineState::Open, now)),
-            QStringLiteral("Comment | АН1 (АН-Д3, TMP05, подогрев)\n"
-                           "State | Answering\n"
-                           "Angles Mx, My, degrees (arc-seconds) | -1.000 +0.756 (-3599.5 +2720.5)\n"
-                           "Accelerations Ax, Ay, mm/s² | 7.67 270.0 (2.19|0.00 2.19) 179:179 (5728) 179\n"
-                           "Temperature T, °C | 21.38\n"
-                           "Wind speed U, V, m/s | —\n"
-                           "Thermostat, % (rev/s) | 45.3 (41.0)\n"
-                           "Status word | 0010 0100 0000 1111 : 1100 1100 0000 0000\n"
-                           "Polling period, s | 1.002|0.031|00:00\n"
-                           "Read errors | 3\n"
-                           "CRC errors | 2"));
+            QStringLiteral("Комментарий | АН1 (АН-Д3, TMP05, подогрев)\n"
+                           "Состояние | Отвечает\n"
+                           "Углы Мх, Му, град. (угл. сек.) | -1.000 +0.756 (-3599.5 +2720.5)\n"
+                           "Ускорения Ах, Ау, мм/с² | 7.67 270.0 (2.19|0.00 2.19) 179:179 (5728) 179\n"
+                           "Температура Т, град. | 21.38\n"
+                           "Скорость ветра U, V, м/с | —\n"
+                           "Термостат, % (об./с) | 45.3 (41.0)\n"
+                           "Слово состояния | 0010 0100 0000 1111 : 1100 1100 0000 0000\n"
+                           "Период опроса, с | 1.002|0.031|00:00\n"
+                           "Ошибок чтения | 3\n"
+                           "Ошибок CRC | 2\n"
+                           "Версия ПО | —\n"
+                           "Системный такт | —\n"
+                           "Мощность нагревателя | —\n"
+                           "Мощность вентилятора | —\n"
+                           "Адрес и команда преобразователя | —\n"
+                           "Время ответа преобразователя | —"));
+    }
+
+    /// CanInfo=1: what comes stands below the rows of the manual; a type that is not asked has no such rows.
+    void sensorThatSaysSomethingOfItself()
+    {
+        SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        DeviceInformation information;
+        information.number = 1;
+        information.firmware = QStringLiteral("2.3.12");
+        information.systemClock = 40'000'000;
+        information.heaterPower = 452;
+        information.innerTransducer = 513;
+        information.responseTime = 250;
+        registry.setInformation(information);
+        const SteadyTime now = std::chrono::steady_clock::now();
+        QCOMPARE(
+            text(sensorProperties(registry.sensors().front(), LineState::Open, now).mid(11)),
+            QStringLiteral("Версия ПО | 2.3.12\n"
+                           "Системный такт | 40000000\n"
+                           "Мощность нагревателя | 452\n"
+                           "Мощность вентилятора | —\n"
+                           "Адрес и команда преобразователя | 513\n"
+                           "Время ответа преобразователя | 250"));
+        QCOMPARE(sensorProperties(registry.sensors()[1], LineState::Open, now).size(), 11);
     }
 
     void sensorWithoutAnswer()
@@ -86,62 +121,173 @@ private Q_SLOTS:
         const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
         const Properties rows =
             sensorProperties(registry.sensors().front(), LineState::Opening, std::chrono::steady_clock::now());
-        QCOMPARE(rows.size(), 11);
+        QCOMPARE(rows.size(), 17);
         for (int row = 2; row <= 8; ++row) {
             QCOMPARE(rows.at(row).value, QStringLiteral("—"));
         }
     }
 
+    void everyRowExplainsItself()
+    {
+        const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        const SteadyTime now = std::chrono::steady_clock::now();
+        const ServerConfig config = test::sampleConfig();
+        for (const Property &property : portProperties(registry.lines().front(), now)
+                 + sensorProperties(registry.sensors().front(), LineState::Open, now) + serverSettings(config)
+                 + lineSettings(config, config.lines.first())
+                 + sensorSettings(config, config.lines.first().sensors.first())) {
+            QVERIFY2(property.isSection || !property.note.isEmpty(), qPrintable(property.name));
+            QVERIFY2(property.isSection || !property.value.isEmpty(), qPrintable(property.name));
+        }
+    }
+
+    void sensorToolTips()
+    {
+        const SteadyTime now = std::chrono::steady_clock::now();
+        SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        Reading reading = test::sampleReading(now);
+        reading.status = 0x0220;
+        registry.update({reading, test::tiltReading(2, 0, 0, now)});
+        PropertyModel model(false);
+        model.setProperties(sensorProperties(registry.sensors().front(), LineState::Open, now));
+        const auto toolTip = [&model](int row) {
+            return model.index(row, PropertyModel::Name).data(Qt::ToolTipRole).toString();
+        };
+        QVERIFY(toolTip(3).startsWith(QStringLiteral("максимум по X -0.00, по Y -7.67 мм/с²\n")));
+        QCOMPARE(
+            toolTip(7),
+            QStringLiteral("флаги состояния : флаги режима работы, как их передаёт датчик\n"
+                           "бит 13: термостат включен\nбит 10: ошибка вентилятора\nбит 3: данные вентилятора готовы\n"
+                           "бит 2: температура готова\nбит 1: углы готовы\nбит 0: перезагрузка подтверждена\n\n"
+                           "слово состояния программы: 0 0010 0010 0000\nкод 0: Нет ошибок\n"
+                           "бит 9: результаты измерения температуры не достоверны или не готовы\n"
+                           "бит 5: произошла перезагрузка микроконтроллера"));
+        // ИН-Д3 has no raw word: a dash, and the computed word in the tool tip
+        model.setProperties(sensorProperties(registry.sensors().at(1), LineState::Open, now));
+        QCOMPARE(model.index(7, PropertyModel::Value).data().toString(), QStringLiteral("—"));
+        QVERIFY(toolTip(7).contains(QStringLiteral("слово состояния программы: 0 0011 0000 0000")));
+    }
+
+    /// State by a shape as well as by words.
+    void stateHasAnIcon()
+    {
+        const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
+        const SteadyTime now = std::chrono::steady_clock::now();
+        PropertyModel model(false);
+        model.setProperties(portProperties(registry.lines().back(), now));
+        QVERIFY(!model.index(1, PropertyModel::Value).data(Qt::DecorationRole).isNull());
+        QVERIFY(model.index(0, PropertyModel::Value).data(Qt::DecorationRole).isNull());
+        QCOMPARE(portProperties(registry.lines().back(), now).at(1).health, std::optional(Health::Off));
+        QCOMPARE(
+            sensorProperties(registry.sensors().back(), LineState::Open, now).at(1).health, std::optional(Health::Off));
+    }
+
+    /// The first seven sections are those of the manual, in its order; what it does not list follows.
     void serverSettingsInTheOrderOfTheManual()
     {
         QCOMPARE(
             text(serverSettings(test::sampleConfig())),
-            QStringLiteral("[Server]\nComment | Высотное здание\nIP port | 502\n"
-                           "[Timers]\nTmUpdateInt | 100 ms\nTmRun | 1000 ms\nTmStart | 1000 ms\nTmSave | 1000 ms\n"
-                           "[Pauses]\nPPauseTick | 100 ms\nPReOpen | 5000 ms\nPClose | 5000 ms\nPExit | 1000 ms\n"
-                           "[Sleeps]\nSAdrChange | 16 ms\nSIdle | 1 ms\nSRError | 0 ms\nSCRCError | 600 ms\n"
-                           "[TimeOuts]\nTORCom | 200 ms\nTOWCom | 100 ms\nTORDat | 4000 ms\nTOWDat | 2000 ms\n"
-                           "[Errors]\nNumRErrSrs | 10\nNumCErrSrs | 10\n"
-                           "[More]\nSave to files | yes\nRecords shown | 60\nRecords cleared | 1\n"
-                           "Hide to the tray at the start | no\nWarn at the end of work | no\n"
-                           "Allow a second copy | no\nAllow adjustment | no\nAccelerometer's buffer | 8192 packets"));
+            QStringLiteral(
+                "[Сервер]\nКомментарий | Высотное здание\nIP порт | 502\n"
+                "[Timers]\nTmUpdateInt | 100 мс\nTmRun | 1000 мс\nTmStart | 1000 мс\nTmSave | 1000 мс\n"
+                "[Pauses]\nPPauseTick | 100 мс\nPReOpen | 5000 мс\nPClose | 5000 мс\nPExit | 1000 мс\n"
+                "[Sleeps]\nSAdrChange | 16 мс\nSIdle | 1 мс\nSRError | 0 мс\nSCRCError | 600 мс\n"
+                "[TimeOuts]\nTORCom | 200 мс\nTOWCom | 100 мс\nTORDat | 4000 мс\nTOWDat | 2000 мс\n"
+                "[Errors]\nNumRErrSrs | 10\nNumCErrSrs | 10\n"
+                "[Дополнительно]\nСохранять в файле | да\nОтображать записей | 60\nОчищать записей | 1\n"
+                "Сворачивать в трей при запуске | нет\nПредупреждать при завершении работы | нет\n"
+                "Разрешать запуск копии | нет\nРазрешить настройку | нет\nБуфер акселерометра | 8192 пакетов\n"
+                "[Программа]\nЗаголовок окна | Gorizont Server (тест)\nЯзык | ru\nСерийный номер копии | —\n"
+                "Портов в списке | 3\nЗапрашивать информацию | нет\nБуферов в файле | 1\n"
+                "Ускорение св. падения, м/с² | 9.81347\nБиты статуса прежней программы | нет\n"
+                "IP порт ADC24 | 503\nИнтерфейс OPC DA | нет\n"
+                "[Modbus TCP]\nСервер Modbus TCP | да\nПорядок датчиков | по типам\nПервый регистр | 0\n"
+                "Клиентов не более | 64\nОтключать молчащих клиентов | через 600 с\nАдрес сервера | все\n"
+                "Разрешённые клиенты | все"));
     }
 
-    void portAndSensorSettings()
+    /// The row shows the inverse of CanClose (spec/gorizont.md, section 1).
+    void warningIsTheInverseOfCanClose()
+    {
+        ServerConfig config = test::sampleConfig();
+        config.closesSilently = false;
+        QVERIFY(text(serverSettings(config)).contains(QStringLiteral("Предупреждать при завершении работы | да")));
+    }
+
+    void portSettings()
     {
         const ServerConfig config = test::sampleConfig();
         QCOMPARE(
             text(lineSettings(config, config.lines.first())),
-            QStringLiteral("[Port]\nComment | Moxa UPort 1151\nSwitched on | yes\nNumber | COM4\n"
-                           "BaudRate | 115200 baud"));
-        QCOMPARE(
-            text(sensorSettings(config, config.lines.first().sensors.first())),
-            QStringLiteral("[Sensor]\nComment | АН1 (АН-Д3, TMP05, подогрев)\nPolling | yes\n"
-                           "Number on the site | 1\nAddress on the line | 12\nSerial number | 804\n"
-                           "[Adjustment]\nOffset Mx, degrees (arc-seconds) | +0.028 (+100.0)\n"
-                           "Offset My, degrees (arc-seconds) | -1.000 (-3600.0)\nOffset T, °C | +0.50\n"
-                           "Inversion of axis Y | yes\nRotation of axis X, degrees | +90.000\n"
-                           "Date of installation | 21.01.2017\nDate of the last adjustment | 24.01.2017\n"
-                           "Remark | Линия 1, терминал 120 Ом"));
+            QStringLiteral("[Порт]\nКомментарий | Moxa UPort 1151\nВключен | да\nНомер | COM4\n"
+                           "BaudRate | 115200 бод\n"
+                           "[Дополнительно]\nУстройство | —\nБиты данных | 8\nЧётность | нет\n"
+                           "Стоповые биты | 1\nRS485 | нет\nДатчиков в списке | 2"));
     }
 
-    void replacedValuesAreMarked()
+    void settingsOfASensor()
     {
         ServerConfig config = test::sampleConfig();
-        config.replaced.insert(QStringLiteral("sleeps/scrcerr"), QStringLiteral("-5"));
-        config.replaced.insert(QStringLiteral("port1/adr1"), QStringLiteral("300"));
+        config.lines.first().sensors.first().options.insert(QStringLiteral("verifycrc"), QStringLiteral("1"));
+        QCOMPARE(
+            text(sensorSettings(config, config.lines.first().sensors.first())),
+            QStringLiteral("[Датчик]\nКомментарий | АН1 (АН-Д3, TMP05, подогрев)\nОпрос | да\n"
+                           "Порядковый номер | 1\nАдрес на линии | 12\nСерийный номер | 804\n"
+                           "[Юстировка]\nСмещение Mx, град. (угл. сек.) | +0.028 (+100.0)\n"
+                           "Смещение My, град. (угл. сек.) | -1.000 (-3600.0)\nСмещение T, град. | +0.50\n"
+                           "Инверсия оси Y | да\nПоворот оси X, град. | +90.000\n"
+                           "Дата установки | 21.01.2017\nДата последней юстировки | 24.01.2017\n"
+                           "Примечание | Линия 1, терминал 120 Ом\n"
+                           "[Дополнительно]\nМесто установки | Этаж 2\nТип | АН-Д3\n"
+                           "Измеряет | углы, температура, ускорения\nТермостат | да\nverifycrc1 | 1"));
+        // a sensor without temperature has no offset of it
+        QVERIFY(text(sensorSettings(config, config.lines.first().sensors.last()))
+                    .contains(QStringLiteral("Смещение T, град. | —")));
+    }
+
+    /// From the file to the screen: what it gave, what is used instead, and where it stands.
+    void replacedValuesAreMarked()
+    {
+        const ServerConfig config =
+            readServerConfig(IniFile::fromBytes("[Common]\nNumOfPorts=1\n[Sleeps]\nSCRCErr=-5\n"
+                                                "[Port1]\nNum=4\nOn=1\nNumOfSensors=1\nName1=AN-D3\nadr1=300\nOn1=1\n"))
+                .config;
         QStringList marked;
         for (const Property &property :
              serverSettings(config) + sensorSettings(config, config.lines.first().sensors.first())) {
-            if (property.isReplaced) {
-                marked += property.name + u' ' + property.note;
+            if (!property.replaced.isEmpty()) {
+                marked += property.key + u' ' + property.name + u' ' + property.replaced;
             }
         }
         QCOMPARE(
             marked,
             QStringList(
-                {QStringLiteral("SCRCError the file gives “-5”, which cannot be used"),
-                 QStringLiteral("Address on the line the file gives “300”, which cannot be used")}));
+                {QStringLiteral("[Sleeps] SCRCError SCRCError в файле указано «-5», это значение использовать нельзя; "
+                                "используется «600 мс»"),
+                 QStringLiteral("[Port1] On1 Опрос в файле указано «1», это значение использовать нельзя; "
+                                "используется «нет»"),
+                 QStringLiteral("[Port1] adr1 Адрес на линии в файле указано «300», это значение использовать нельзя; "
+                                "используется «1»")}));
+    }
+
+    void replacedValueIsSeen()
+    {
+        PropertyModel model(true);
+        Property property{QStringLiteral("a"), QStringLiteral("1"), QStringLiteral("meaning")};
+        property.key = QStringLiteral("[Timers] a");
+        model.setProperties({property});
+        const QModelIndex value = model.index(0, PropertyModel::Value);
+        const QModelIndex note = model.index(0, PropertyModel::Note);
+        QCOMPARE(note.data().toString(), QStringLiteral("meaning"));
+        QCOMPARE(value.data(Qt::ToolTipRole).toString(), QStringLiteral("1\nmeaning\nв файле настроек: [Timers] a"));
+        QVERIFY(value.data(Qt::DecorationRole).isNull());
+        property.replaced = QStringLiteral("replaced");
+        model.setProperties({property});
+        QCOMPARE(note.data().toString(), QStringLiteral("replaced"));
+        QCOMPARE(
+            value.data(Qt::ToolTipRole).toString(),
+            QStringLiteral("1\nreplaced\nmeaning\nв файле настроек: [Timers] a"));
+        QVERIFY(!value.data(Qt::DecorationRole).isNull());
     }
 
     void modelAnnouncesOnlyWhatChanged()
@@ -156,7 +302,7 @@ private Q_SLOTS:
         QCOMPARE(reset.size(), 1);
         QCOMPARE(changed.size(), 1);
         QCOMPARE(changed.at(0).at(0).toModelIndex(), model.index(1, PropertyModel::Value));
-        QCOMPARE(test::modelText(model, true), QStringLiteral("Parameter | Value\na | 1\nb | 3"));
+        QCOMPARE(test::modelText(model, true), QStringLiteral("Параметр | Значение\na | 1\nb | 3"));
     }
 };
 

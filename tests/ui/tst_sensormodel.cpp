@@ -1,3 +1,4 @@
+#include "translations/translation.h"
 #include "ui/models/sensormodel.h"
 
 #include "tests/ui/modeltext.h"
@@ -14,6 +15,8 @@ class TestSensorModel : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The headings are those of manual 000, section 4.3, with their units.
+    void initTestCase() { QVERIFY(installTranslation(QStringLiteral("ru"))); }
     void init()
     {
         m_registry = std::make_unique<SensorRegistry>(test::sampleConfig().lines, StatusRules());
@@ -39,7 +42,7 @@ private Q_SLOTS:
         QCOMPARE(
             test::modelText(*m_model, true),
             QStringLiteral(
-                "Sensor | Mx, ° | My, ° | Amax, mm/s² | Arms, mm/s² | T, °C | Frequency, rev/s | P, % | Status\n"
+                "Датчик | Mx, ° | My, ° | Amax, мм/с² | Arms, мм/с² | T, °C | Частота, об./с | P, % | Статус\n"
                 "1 АН-Д3 [Этаж 2] [12] | -1.000 | +0.756 | 7.67 | 2.19 | 21.38 | 41.0 | 45.3 |  0 0000 0000 0000\n"
                 "2 ИН-Д3 [24] | +0.010 | -2.000 | — | — | — | — | — |  0 0011 0000 0000\n"
                 "3 ИН-Д3 [5] | -10.000 | +0.000 | — | — | — | — | — |  0 0011 0000 0000\n"
@@ -56,6 +59,44 @@ private Q_SLOTS:
         QCOMPARE(numbers(), QList<int>({4, 2, 3, 1}));
         m_model->sort(-1);
         QCOMPARE(numbers(), QList<int>({1, 2, 3, 4}));
+    }
+
+    void fanAndHeaterOfNoThermostatAreAbsent()
+    {
+        Reading reading = test::tiltReading(2, 36, 0, std::chrono::steady_clock::now());
+        reading.heaterPower = 0;
+        reading.fanFrequency = 0;
+        m_registry->update({reading});
+        QCOMPARE(m_model->index(1, SensorModel::Fan).data().toString(), QStringLiteral("—"));
+        QCOMPARE(m_model->index(1, SensorModel::Power).data().toString(), QStringLiteral("—"));
+    }
+
+    /// What every bit of manual 000, section 11.2, means.
+    void toolTips()
+    {
+        QCOMPARE(
+            toolTip(0, SensorModel::Sensor),
+            QStringLiteral("1 АН-Д3 [Этаж 2] [12]\nАН1 (АН-Д3, TMP05, подогрев)\nCOM4: Отвечает"));
+        QCOMPARE(toolTip(0, SensorModel::Mx), QStringLiteral("-3599.5 угл. сек."));
+        QCOMPARE(toolTip(0, SensorModel::Amax), QStringLiteral("по X -0.00, по Y -7.67 мм/с²"));
+        QCOMPARE(toolTip(0, SensorModel::Arms), QStringLiteral("по X +0.00, по Y +2.19 мм/с²"));
+        Reading reading = test::sampleReading(std::chrono::steady_clock::now());
+        reading.status = 0xAFFC;
+        m_registry->update({reading});
+        QCOMPARE(
+            toolTip(0, SensorModel::Status),
+            QStringLiteral("код 10: Не работает вентилятор\n"
+                           "бит 11: опрос отключен\n"
+                           "бит 10: результаты измерения углов наклона не достоверны или не готовы\n"
+                           "бит 9: результаты измерения температуры не достоверны или не готовы\n"
+                           "бит 8: результаты измерения ускорений не достоверны или не готовы\n"
+                           "бит 7: переполнение буфера обмена ускорений\n"
+                           "бит 6: ошибка синхронизации\n"
+                           "бит 5: произошла перезагрузка микроконтроллера\n"
+                           "бит 4: терморегулирование не завершено\n"
+                           "бит 3: минимальная мощность нагрева термостата (быстрое охлаждение)\n"
+                           "бит 2: максимальная мощность нагрева термостата (быстрый нагрев)"));
+        QCOMPARE(m_model->headerData(SensorModel::Status, Qt::Horizontal, Qt::ToolTipRole).toString().count(u'\n'), 10);
     }
 
     void selectionStaysWithItsSensor()
@@ -94,6 +135,8 @@ private Q_SLOTS:
     }
 
 private:
+    QString toolTip(int row, int column) const { return m_model->index(row, column).data(Qt::ToolTipRole).toString(); }
+
     QList<int> numbers() const
     {
         QList<int> list;

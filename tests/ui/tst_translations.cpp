@@ -104,8 +104,7 @@ private Q_SLOTS:
             QCoreApplication::translate("SensorPage", "Angles Mx, My, degrees (arc-seconds)"),
             QStringLiteral("Углы Мх, Му, град. (угл. сек.)"));
         const auto attention = [](int count) {
-            return QCoreApplication::translate(
-                "gorizont::AttentionBanner", "%n sensor(s) need attention", nullptr, count);
+            return QCoreApplication::translate("AlarmText", "%n sensor(s) need attention", nullptr, count);
         };
         QCOMPARE(attention(1), QStringLiteral("1 датчик требует внимания"));
         QCOMPARE(attention(22), QStringLiteral("22 датчика требуют внимания"));
@@ -117,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(installTranslation(QStringLiteral("en")));
         QCOMPARE(QCoreApplication::translate("gorizont::StatePanel", "Sensors"), QStringLiteral("Sensors"));
         QCOMPARE(
-            QCoreApplication::translate("gorizont::AttentionBanner", "%n sensor(s) need attention", nullptr, 1),
+            QCoreApplication::translate("AlarmText", "%n sensor(s) need attention", nullptr, 1),
             QStringLiteral("1 sensor needs attention"));
     }
 

@@ -84,9 +84,22 @@ private Q_SLOTS:
         QVERIFY(!validTilt(reading) && validTemperature(reading) && validAcceleration(reading));
         reading.status = statusbit::TemperatureInvalid | statusbit::AccelerationInvalid;
         QVERIFY(validTilt(reading) && !validTemperature(reading) && !validAcceleration(reading));
-        QVERIFY(validHeaterPower(reading) && validFanFrequency(reading));
+        QVERIFY(validHeaterPower({}, reading) && validFanFrequency({}, reading));
         reading.status = 0x3700;
-        QVERIFY(!validTilt(reading) && !validHeaterPower(reading) && !validFanFrequency(reading));
+        QVERIFY(!validTilt(reading) && !validHeaterPower({}, reading) && !validFanFrequency({}, reading));
+    }
+
+    /// A zero of a sensor without a thermostat is no measurement; one of a sensor with it is.
+    void zeroOfNoThermostatIsAbsent()
+    {
+        SensorConfig sensor;
+        Reading reading = test::sampleReading(std::chrono::steady_clock::now());
+        reading.heaterPower = 0;
+        reading.fanFrequency = 0;
+        QVERIFY(!validHeaterPower(sensor, reading) && !validFanFrequency(sensor, reading));
+        sensor.hasThermostat = true;
+        QCOMPARE(validHeaterPower(sensor, reading), std::optional<double>(0));
+        QCOMPARE(validFanFrequency(sensor, reading), std::optional<double>(0));
     }
 };
 

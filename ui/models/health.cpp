@@ -66,7 +66,6 @@ HealthCounts countHealth(const SensorRegistry &registry)
     for (const SensorRegistry::Sensor &sensor : registry.sensors()) {
         const LineState line = registry.lines()[static_cast<std::size_t>(sensor.line)].status.state;
         ++counts.sensors[static_cast<std::size_t>(sensorHealth(sensor, line))];
-        counts.critical += isCritical(sensor.reading.status) ? 1 : 0;
     }
     return counts;
 }

@@ -15,7 +15,6 @@ constexpr std::size_t healthKinds = 6;
 struct HealthCounts
 {
     std::array<int, healthKinds> sensors{};
-    int critical = 0; ///< sensors whose code asks for the dispatcher's attention
 
     int operator[](Health health) const { return sensors[static_cast<std::size_t>(health)]; }
     bool operator==(const HealthCounts &) const = default;

@@ -1,7 +1,9 @@
 #include "ui/models/icons.h"
 
+#include <QGuiApplication>
 #include <QHash>
 #include <QPainter>
+#include <QPalette>
 #include <QPixmap>
 #include <QSvgRenderer>
 
@@ -48,8 +50,13 @@ struct Part
 {
     QString file;
     QRectF place; ///< within the icon, device-independent pixels
-    bool isWhiteWhenSelected = false; ///< a symbol in the colours of lines would drown in the colour of the selection
+    bool isTextWhenSelected = false; ///< a symbol in the colours of lines would drown in the colour of the selection
 };
+
+QColor selectedText()
+{
+    return QGuiApplication::palette().color(QPalette::HighlightedText);
+}
 
 QPixmap drawPixmap(const QSize &size, double scale, const QList<Part> &parts, QIcon::Mode mode)
 {
@@ -60,9 +67,9 @@ QPixmap drawPixmap(const QSize &size, double scale, const QList<Part> &parts, QI
     for (const Part &part : parts) {
         const QRectF place(part.place.topLeft() * scale, part.place.size() * scale);
         QSvgRenderer(part.file).render(&painter, place);
-        if (mode == QIcon::Selected && part.isWhiteWhenSelected) {
+        if (mode == QIcon::Selected && part.isTextWhenSelected) {
             painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);
-            painter.fillRect(place, Qt::white);
+            painter.fillRect(place, selectedText());
             painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
         }
     }
@@ -80,9 +87,15 @@ QIcon draw(const QSize &size, const QList<Part> &parts)
     return icon;
 }
 
+/// Kept until the palette changes: the desktop may go from light to dark at any time.
 template <typename Draw> QIcon cached(int key, Draw make)
 {
     static QHash<int, QIcon> drawn;
+    static QColor colour;
+    if (colour != selectedText()) {
+        colour = selectedText();
+        drawn.clear();
+    }
     const auto found = drawn.constFind(key);
     return found != drawn.cend() ? *found : *drawn.insert(key, make());
 }
@@ -119,13 +132,20 @@ QIcon state(Health health)
     });
 }
 
+QIcon information()
+{
+    return cached(-2, [] {
+        return draw({side, side}, {{QStringLiteral(":/icons/information.svg"), QRectF(0, 0, side, side)}});
+    });
+}
+
 QIcon tree(Node node, Health health)
 {
     constexpr int top = (treeHeight - side) / 2;
     return cached(keyOf(static_cast<int>(node), health), [node, health] {
         return draw(
             treeSize(),
-            {{stateFile(health), QRectF(0.5, top + 0.5, side - 1, side - 1)},
+            {{stateFile(health), QRectF(0.5, top + 0.5, side - 1, side - 1), health == Health::Off},
              {nodeFile(node), QRectF(side + gap, top, side, side), true}});
     });
 }

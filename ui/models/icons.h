@@ -17,6 +17,8 @@ Node nodeOf(SensorType type);
 
 QIcon state(Health health); ///< one shape and one colour for each state
 
+QIcon information(); ///< of an event that is neither good nor bad
+
 /// State and kind of a node side by side, treeSize() large: neither hides the other at 16 pixels.
 QIcon tree(Node node, Health health);
 QSize treeSize();

@@ -1,5 +1,7 @@
 #include "ui/models/journalmodel.h"
 
+#include "ui/models/colours.h"
+#include "ui/models/icons.h"
 #include "ui/models/valuetext.h"
 
 #include <QColor>
@@ -55,10 +57,10 @@ QVariant JournalModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole: return QStringLiteral("%1   %2").arg(valuetext::clock(entry->time), entry->text);
     case Qt::ToolTipRole: return entry->text;
     case Qt::ForegroundRole: {
-        const bool isDark = QGuiApplication::palette().color(QPalette::Base).lightness() < 128;
-        const QColor colour = journalColour(entry->kind, isDark);
+        const QColor colour = journalColour(entry->kind, colours::isDark(QGuiApplication::palette()));
         return colour.isValid() ? QVariant(colour) : QVariant();
     }
+    case Qt::DecorationRole: return journalIcon(entry->kind);
     case KindRole: return static_cast<int>(entry->kind);
     default: return {};
     }
@@ -75,10 +77,29 @@ void JournalFilter::setShown(JournalKind kind, bool isShown)
     invalidateRowsFilter();
 }
 
+void JournalFilter::setText(const QString &text)
+{
+    m_text = text.trimmed();
+    invalidateRowsFilter();
+}
+
 bool JournalFilter::filterAcceptsRow(int row, const QModelIndex &parent) const
 {
-    const int kind = sourceModel()->index(row, 0, parent).data(JournalModel::KindRole).toInt();
-    return m_isShown.test(static_cast<std::size_t>(kind));
+    const QModelIndex index = sourceModel()->index(row, 0, parent);
+    const int kind = index.data(JournalModel::KindRole).toInt();
+    return m_isShown.test(static_cast<std::size_t>(kind))
+        && (m_text.isEmpty() || index.data().toString().contains(m_text, Qt::CaseInsensitive));
+}
+
+QIcon journalIcon(JournalKind kind)
+{
+    switch (kind) {
+    case JournalKind::On: return icons::state(Health::Good);
+    case JournalKind::Off: return icons::state(Health::Off);
+    case JournalKind::Error: return icons::state(Health::Error);
+    case JournalKind::Info: break;
+    }
+    return icons::information();
 }
 
 QColor journalColour(JournalKind kind, bool isDark)

@@ -3,6 +3,7 @@
 #include "core/registry/journal.h"
 
 #include <QAbstractListModel>
+#include <QIcon>
 #include <QSortFilterProxyModel>
 
 #include <bitset>
@@ -31,7 +32,7 @@ private:
     quint64 m_end; ///< number after that of the last row's entry
 };
 
-/// Only the kinds that are switched on.
+/// Only the kinds that are switched on, and of them what holds the text looked for.
 class JournalFilter : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -40,13 +41,21 @@ public:
     explicit JournalFilter(QObject *parent = nullptr);
 
     void setShown(JournalKind kind, bool isShown);
+    void setText(const QString &text); ///< in whatever case; empty: everything
+
+    /// Something of what the journal holds may be left out.
+    bool isFiltering() const { return !m_isShown.all() || !m_text.isEmpty(); }
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
 
 private:
     std::bitset<4> m_isShown{0b1111};
+    QString m_text;
 };
+
+/// Shape of a kind, so that its colour is not alone.
+QIcon journalIcon(JournalKind kind);
 
 /// Colour of a kind on a light or a dark background; invalid: that of all text.
 QColor journalColour(JournalKind kind, bool isDark);

@@ -1,17 +1,12 @@
 #include "ui/models/measurementmodel.h"
 
+#include "ui/models/statetext.h"
+
 #include <QFontDatabase>
 
 #include <algorithm>
 
 namespace gorizont {
-
-namespace {
-
-constexpr int leadingColumns = 2; ///< time and channel word
-constexpr int sensorColumns = 5; ///< X, Y, T, heater power, status
-
-} // namespace
 
 MeasurementModel::MeasurementModel(const SensorRegistry &registry, int capacity, int removed, QObject *parent)
     : QAbstractTableModel(parent)
@@ -20,7 +15,7 @@ MeasurementModel::MeasurementModel(const SensorRegistry &registry, int capacity,
 {
     for (const SensorRegistry::Sensor &sensor : registry.sensors()) {
         if (sensor.config.measuresTilt) {
-            m_numbers += sensor.config.number;
+            m_sensors += {sensor.config.number, statetext::sensorTitle(sensor.config)};
         }
     }
 }
@@ -66,7 +61,7 @@ int MeasurementModel::rowCount(const QModelIndex &parent) const
 
 int MeasurementModel::columnCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : leadingColumns + sensorColumns * static_cast<int>(m_numbers.size());
+    return parent.isValid() ? 0 : leadingColumns + sensorColumns * static_cast<int>(m_sensors.size());
 }
 
 QVariant MeasurementModel::data(const QModelIndex &index, int role) const
@@ -91,19 +86,44 @@ QVariant MeasurementModel::headerData(int section, Qt::Orientation orientation, 
     if (role == Qt::TextAlignmentRole) {
         return QVariant::fromValue(Qt::AlignVCenter | Qt::AlignRight);
     }
-    if (role != Qt::DisplayRole) {
-        return {};
+    switch (role) {
+    case Qt::DisplayRole: return heading(section);
+    case Qt::ToolTipRole: return meaning(section);
+    default: return {};
     }
-    if (section < leadingColumns) {
-        return section == 0 ? tr("Time") : tr("Ports");
+}
+
+QString MeasurementModel::heading(int column) const
+{
+    if (column < leadingColumns) {
+        return column == 0 ? tr("Time") : tr("Ports");
     }
-    const int number = m_numbers.value((section - leadingColumns) / sensorColumns);
-    switch ((section - leadingColumns) % sensorColumns) {
+    const int number = m_sensors.value((column - leadingColumns) / sensorColumns).number;
+    switch ((column - leadingColumns) % sensorColumns) {
     case 0: return tr("%1: X, ″").arg(number);
     case 1: return tr("%1: Y, ″").arg(number);
     case 2: return tr("%1: T, °C").arg(number);
     case 3: return tr("%1: P, %").arg(number);
     default: return tr("%1: status").arg(number);
+    }
+}
+
+QString MeasurementModel::meaning(int column) const
+{
+    if (column == 0) {
+        return tr("Time and date of the record");
+    }
+    if (column == 1) {
+        return tr("Status word of the channel, the first port at the right: 0 no errors, 1 cannot be opened, 2 write "
+                  "errors, 3 off or not there");
+    }
+    const QString title = m_sensors.value((column - leadingColumns) / sensorColumns).title;
+    switch ((column - leadingColumns) % sensorColumns) {
+    case 0: return tr("%1: angle along X, arc-seconds").arg(title);
+    case 1: return tr("%1: angle along Y, arc-seconds").arg(title);
+    case 2: return tr("%1: temperature, °C; empty if the sensor has none").arg(title);
+    case 3: return tr("%1: power of the thermostat's heater, %").arg(title);
+    default: return tr("%1: status word, the code and bits 11…0").arg(title);
     }
 }
 

@@ -15,6 +15,9 @@ class MeasurementModel : public QAbstractTableModel
     Q_OBJECT
 
 public:
+    static constexpr int leadingColumns = 2; ///< time and channel word
+    static constexpr int sensorColumns = 5; ///< X, Y, T, heater power, status
+
     /// Keeps at most \a capacity lines; when there are more, the \a removed oldest go.
     MeasurementModel(const SensorRegistry &registry, int capacity, int removed, QObject *parent = nullptr);
 
@@ -34,9 +37,16 @@ private:
         QStringView field(int column) const;
     };
     static Line split(const QString &line);
+    QString heading(int column) const;
+    QString meaning(int column) const;
 
     std::deque<Line> m_lines;
-    QList<int> m_numbers; ///< N of the tilt sensors, in the order of their columns
+    struct Sensor
+    {
+        int number = 0; ///< N
+        QString title;
+    };
+    QList<Sensor> m_sensors; ///< those that measure tilt, in the order of their columns
     int m_capacity;
     int m_removed;
 };

@@ -45,6 +45,20 @@ QString PortModel::text(const SensorRegistry::Line &line, int column) const
     }
 }
 
+/// Ports sort by their place in the ini: COM10 stands after COM9.
+QVariant PortModel::sortKey(int row, int column) const
+{
+    const LineStatus &status = m_registry.lines()[static_cast<std::size_t>(row)].status;
+    switch (column) {
+    case State: return statetext::line(status.state);
+    case Uptime: return status.openedAt ? QVariant(qint64((m_now - *status.openedAt).count())) : QVariant();
+    case Sent: return status.bytesSent;
+    case Received: return status.bytesReceived;
+    case Attempts: return status.failedOpens;
+    default: return row;
+    }
+}
+
 QVariant PortModel::data(const QModelIndex &index, int role) const
 {
     if (!index.isValid()) {
@@ -55,6 +69,7 @@ QVariant PortModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole: return text(line, index.column());
     case Qt::DecorationRole:
         return index.column() == Port ? QVariant(icons::state(lineHealth(line.status.state))) : QVariant();
+    case SortRole: return sortKey(index.row(), index.column());
     case Qt::TextAlignmentRole:
         return QVariant::fromValue(Qt::AlignVCenter | (index.column() >= Uptime ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole: return index.column() == State ? line.status.lastError : line.config.name;
@@ -72,6 +87,8 @@ QVariant PortModel::headerData(int section, Qt::Orientation orientation, int rol
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
+        case Port: return tr("Logical name of the port");
+        case State: return tr("Present state of the port");
         case Uptime: return tr("How long the port has been open, h:mm:ss");
         case Sent: return tr("Bytes sent");
         case Received: return tr("Bytes received");

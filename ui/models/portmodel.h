@@ -14,6 +14,8 @@ class PortModel : public QAbstractTableModel
 public:
     enum Column { Port, State, Uptime, Sent, Received, Attempts, ColumnCount };
 
+    static constexpr int SortRole = Qt::UserRole; ///< what a cell sorts by; invalid: absent
+
     explicit PortModel(const SensorRegistry &registry, QObject *parent = nullptr);
 
     /// Shows the registry as it is at \a now. Sixteen rows at most: all of them.
@@ -26,6 +28,7 @@ public:
 
 private:
     QString text(const SensorRegistry::Line &line, int column) const;
+    QVariant sortKey(int row, int column) const;
 
     const SensorRegistry &m_registry;
     SteadyTime m_now;

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "ui/models/health.h"
+
 #include <QList>
 #include <QString>
+
+#include <optional>
 
 namespace gorizont {
 
@@ -10,11 +14,18 @@ struct Property
 {
     QString name;
     QString value;
-    QString note = {}; ///< what the entry means, or that its value was replaced
+    QString note = {}; ///< what the entry means
+    QString key = {}; ///< where the ini gives it: `[Timers] TmRun`; empty: it does not
+    QString replaced = {}; ///< a sentence, if the ini gave something that could not be used
+    std::optional<Health> health = {}; ///< drawn beside the value
     bool isSection = false; ///< a heading: only the name counts
-    bool isReplaced = false; ///< the ini gave something else that could not be used
 
-    static Property section(const QString &title) { return {title, {}, {}, true}; }
+    static Property section(const QString &title)
+    {
+        Property heading{title, {}};
+        heading.isSection = true;
+        return heading;
+    }
 
     bool operator==(const Property &) const = default;
 };

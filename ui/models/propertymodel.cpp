@@ -1,5 +1,6 @@
 #include "ui/models/propertymodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 
 #include <QFont>
@@ -9,6 +10,29 @@
 #include <algorithm>
 
 namespace gorizont {
+
+namespace {
+
+/// \a shown: what the cell may be too narrow for.
+QString toolTip(const Property &property, const QString &shown)
+{
+    QStringList lines{shown, property.replaced, property.note};
+    if (!property.key.isEmpty()) {
+        lines += PropertyModel::tr("in the configuration file: %1").arg(property.key);
+    }
+    lines.removeAll(QString());
+    return lines.join(u'\n');
+}
+
+QVariant decoration(const Property &property)
+{
+    if (!property.replaced.isEmpty()) {
+        return icons::state(Health::Warning);
+    }
+    return property.health ? QVariant(icons::state(*property.health)) : QVariant();
+}
+
+} // namespace
 
 PropertyModel::PropertyModel(bool hasNotes, QObject *parent)
     : QAbstractTableModel(parent)
@@ -65,12 +89,11 @@ QVariant PropertyModel::data(const QModelIndex &index, int role) const
         switch (index.column()) {
         case Name: return property.name;
         case Value: return property.value;
-        case Note: return property.note;
+        case Note: return property.replaced.isEmpty() ? property.note : property.replaced;
         default: return {};
         }
-    case Qt::ToolTipRole: return property.note;
-    case Qt::DecorationRole:
-        return property.isReplaced && index.column() == Value ? QVariant(icons::state(Health::Warning)) : QVariant();
+    case Qt::ToolTipRole: return toolTip(property, index.column() == Value ? property.value : QString());
+    case Qt::DecorationRole: return index.column() == Value ? decoration(property) : QVariant();
     case Qt::FontRole:
         if (property.isSection) {
             QFont bold;
@@ -80,8 +103,7 @@ QVariant PropertyModel::data(const QModelIndex &index, int role) const
         return {};
     case Qt::BackgroundRole: return property.isSection ? QVariant(palette.brush(QPalette::Button)) : QVariant();
     case Qt::ForegroundRole:
-        return index.column() == Note && !property.isReplaced ? QVariant(palette.brush(QPalette::PlaceholderText))
-                                                              : QVariant();
+        return index.column() == Note && property.replaced.isEmpty() ? QVariant(colours::mutedText()) : QVariant();
     default: return {};
     }
 }

@@ -1,12 +1,12 @@
 #include "ui/models/sensormodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 #include "ui/models/statetext.h"
+#include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
 
 #include <QFontDatabase>
-#include <QGuiApplication>
-#include <QPalette>
 
 #include <algorithm>
 #include <numeric>
@@ -32,8 +32,8 @@ QString text(const SensorRegistry::Sensor &sensor, int column)
                      : valuetext::absent();
     }
     case SensorModel::Temperature: return valuetext::fixed(validTemperature(reading), 2);
-    case SensorModel::Fan: return valuetext::fixed(validFanFrequency(reading), 1);
-    case SensorModel::Power: return valuetext::fixed(validHeaterPower(reading), 1);
+    case SensorModel::Fan: return valuetext::fixed(validFanFrequency(sensor.config, reading), 1);
+    case SensorModel::Power: return valuetext::fixed(validHeaterPower(sensor.config, reading), 1);
     case SensorModel::Status: return valuetext::status(reading.status);
     default: return {};
     }
@@ -51,8 +51,8 @@ std::optional<double> sortKey(const SensorRegistry::Sensor &sensor, int column)
     case SensorModel::Amax: return accel ? std::optional(accel->maximum) : std::nullopt;
     case SensorModel::Arms: return accel ? std::optional(accel->rms) : std::nullopt;
     case SensorModel::Temperature: return validTemperature(reading);
-    case SensorModel::Fan: return validFanFrequency(reading);
-    case SensorModel::Power: return validHeaterPower(reading);
+    case SensorModel::Fan: return validFanFrequency(sensor.config, reading);
+    case SensorModel::Power: return validHeaterPower(sensor.config, reading);
     case SensorModel::Status: return reading.status;
     default: return sensor.config.number;
     }
@@ -102,11 +102,35 @@ Health SensorModel::healthOf(const SensorRegistry::Sensor &sensor) const
     return sensorHealth(sensor, m_registry.lines()[static_cast<std::size_t>(sensor.line)].status.state);
 }
 
-QString SensorModel::toolTip(const SensorRegistry::Sensor &sensor) const
+/// What a cell has no room for; everywhere else what the sensor is and how it does.
+QString SensorModel::toolTip(const SensorRegistry::Sensor &sensor, int column) const
 {
+    const Reading &reading = sensor.reading;
+    switch (column) {
+    case Mx:
+    case My:
+        if (const auto tilt = validTilt(reading)) {
+            return tr("%1 arc-seconds").arg(valuetext::signedFixed(column == Mx ? tilt->x : tilt->y, 1));
+        }
+        break;
+    case Amax:
+    case Arms:
+        if (const auto accel = validAcceleration(reading)) {
+            const bool isMaximum = column == Amax;
+            return tr("along X %1, along Y %2 mm/s²")
+                .arg(
+                    valuetext::signedFixed(isMaximum ? accel->maximumX : accel->rmsX, 2),
+                    valuetext::signedFixed(isMaximum ? accel->maximumY : accel->rmsY, 2));
+        }
+        break;
+    case Status: return statusmeaning::word(reading.status);
+    default: break;
+    }
     const SensorRegistry::Line &line = m_registry.lines()[static_cast<std::size_t>(sensor.line)];
-    return QStringLiteral("%1\n%2: %3")
-        .arg(sensor.config.name, line.config.title(), statetext::sensor(sensor, line.status.state));
+    return QStringLiteral("%1\n%2\n%3: %4")
+        .arg(
+            statetext::sensorTitle(sensor.config), sensor.config.name, line.config.title(),
+            statetext::sensor(sensor, line.status.state));
 }
 
 QVariant SensorModel::data(const QModelIndex &index, int role) const
@@ -121,10 +145,8 @@ QVariant SensorModel::data(const QModelIndex &index, int role) const
     case Qt::TextAlignmentRole: return QVariant::fromValue(alignment(index.column()));
     case Qt::DecorationRole: return index.column() == Sensor ? QVariant(icons::state(healthOf(sensor))) : QVariant();
     case Qt::FontRole: return index.column() == Status ? QVariant(fixedFont) : QVariant();
-    case Qt::ForegroundRole:
-        return healthOf(sensor) == Health::Off ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
-                                               : QVariant();
-    case Qt::ToolTipRole: return toolTip(sensor);
+    case Qt::ForegroundRole: return healthOf(sensor) == Health::Off ? QVariant(colours::mutedText()) : QVariant();
+    case Qt::ToolTipRole: return toolTip(sensor, index.column());
     default: return {};
     }
 }
@@ -139,6 +161,7 @@ QVariant SensorModel::headerData(int section, Qt::Orientation orientation, int r
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
+        case Sensor: return tr("Logical name of the sensor: number, type, place, address");
         case Mx: return tr("Angle along X, degrees");
         case My: return tr("Angle along Y, degrees");
         case Amax: return tr("Maximum acceleration, mm/s²");
@@ -146,7 +169,7 @@ QVariant SensorModel::headerData(int section, Qt::Orientation orientation, int r
         case Temperature: return tr("Temperature, °C");
         case Fan: return tr("Frequency of the thermostat's fan, revolutions per second");
         case Power: return tr("Power of the thermostat's heater, %");
-        case Status: return tr("Status word of the sensor: the code, then bits 11…0");
+        case Status: return statusmeaning::legend();
         default: return {};
         }
     }

@@ -40,7 +40,7 @@ private:
         return m_registry.sensors()[static_cast<std::size_t>(index)];
     }
     Health healthOf(const SensorRegistry::Sensor &sensor) const;
-    QString toolTip(const SensorRegistry::Sensor &sensor) const;
+    QString toolTip(const SensorRegistry::Sensor &sensor, int column) const;
     std::vector<int> sortedOrder() const;
     void setOrder(std::vector<int> order);
 

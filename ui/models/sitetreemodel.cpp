@@ -1,10 +1,8 @@
 #include "ui/models/sitetreemodel.h"
 
+#include "ui/models/colours.h"
 #include "ui/models/icons.h"
 #include "ui/models/statetext.h"
-
-#include <QGuiApplication>
-#include <QPalette>
 
 #include <algorithm>
 
@@ -111,9 +109,7 @@ QVariant SiteTreeModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole: return title(item);
     case Qt::ToolTipRole: return toolTip(item);
     case Qt::DecorationRole: break;
-    case Qt::ForegroundRole:
-        return shownHealth(item) == Health::Off ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
-                                                : QVariant();
+    case Qt::ForegroundRole: return shownHealth(item) == Health::Off ? QVariant(colours::mutedText()) : QVariant();
     default: return {};
     }
     switch (item.kind) {
@@ -144,22 +140,23 @@ QString SiteTreeModel::title(SiteItem item) const
     return {};
 }
 
+/// The whole title first: a narrow tree leaves out its middle.
 QString SiteTreeModel::toolTip(SiteItem item) const
 {
-    QString name;
-    QString state;
+    QStringList lines{title(item)};
     switch (item.kind) {
-    case SiteItem::Kind::Server: return statetext::health(m_serverHealth);
+    case SiteItem::Kind::Server: lines += statetext::health(m_serverHealth); break;
     case SiteItem::Kind::Line:
-        name = lineOf(item.index).config.name;
-        state = statetext::line(lineOf(item.index).status.state);
+        lines += lineOf(item.index).config.name;
+        lines += statetext::line(lineOf(item.index).status.state);
         break;
     case SiteItem::Kind::Sensor:
-        name = sensorOf(item.index).config.name;
-        state = statetext::sensor(sensorOf(item.index), lineOf(sensorOf(item.index).line).status.state);
+        lines += sensorOf(item.index).config.name;
+        lines += statetext::sensor(sensorOf(item.index), lineOf(sensorOf(item.index).line).status.state);
         break;
     }
-    return name.isEmpty() ? state : name + u'\n' + state;
+    lines.removeAll(QString());
+    return lines.join(u'\n');
 }
 
 void SiteTreeModel::refresh()

@@ -1,6 +1,8 @@
 #include "ui/models/stateproperties.h"
 
+#include "ui/models/informationproperties.h"
 #include "ui/models/statetext.h"
+#include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
 
 #include <QCoreApplication>
@@ -44,11 +46,24 @@ QString accelerationNote(const Reading &reading)
         + u'\n' + meaning;
 }
 
-/// A sensor without words of its own shows nothing here; the computed word stands in the table of sensors.
-QString statusNote(const Reading &reading)
+/// A sensor without words of its own shows a dash; what the program makes of its state stands here all the same.
+QString statusNote(const SensorConfig &sensor, const Reading &reading)
 {
-    return SensorPage::tr("flags of the state : of the mode, as the sensor gives them; the program's own word is %1")
-        .arg(valuetext::status(reading.status));
+    QString note = SensorPage::tr("flags of the state : flags of the mode, as the sensor gives them");
+    const QString raw = statusmeaning::rawWord(sensor, reading);
+    if (!raw.isEmpty()) {
+        note += u'\n' + raw;
+    }
+    return note + QStringLiteral("\n\n")
+        + SensorPage::tr("the program's own word: %1").arg(valuetext::status(reading.status).trimmed()) + u'\n'
+        + statusmeaning::word(reading.status);
+}
+
+Property stateRow(const QString &name, const QString &state, const QString &note, Health health)
+{
+    Property row{name, state, note};
+    row.health = health;
+    return row;
 }
 
 } // namespace
@@ -57,42 +72,65 @@ Properties portProperties(const SensorRegistry::Line &line, SteadyTime now)
 {
     const LineStatus &status = line.status;
     return {
-        {PortPage::tr("Comment"), line.config.name, {}},
-        {PortPage::tr("State"), statetext::line(status.state), {}},
-        {PortPage::tr("Polling time"), since(status.pollingAt, now), PortPage::tr("how long polled without a break")},
-        {PortPage::tr("Time since opening"), since(status.openedAt, now), {}},
-        {PortPage::tr("Bytes sent"), QString::number(status.bytesSent), {}},
-        {PortPage::tr("Bytes received"), QString::number(status.bytesReceived), {}},
-        {PortPage::tr("Attempts to open"), QString::number(status.failedOpens), PortPage::tr("those that failed")},
-        {PortPage::tr("Write errors"), QString::number(status.writeErrors), {}},
-        {PortPage::tr("Read errors"), QString::number(status.readErrors), {}},
-        {PortPage::tr("CRC errors"), QString::number(status.crcErrors), {}},
-        {PortPage::tr("Code of the last error"), lastError(status), {}},
+        {PortPage::tr("Comment"), valuetext::orAbsent(line.config.name), PortPage::tr("short description of the port")},
+        stateRow(
+            PortPage::tr("State"), statetext::line(status.state), PortPage::tr("state of the port"),
+            lineHealth(status.state)),
+        {PortPage::tr("Polling time"), since(status.pollingAt, now),
+         PortPage::tr("how long the port is polled without a break, h:mm:ss")},
+        {PortPage::tr("Time since opening"), since(status.openedAt, now),
+         PortPage::tr("how long the port works without a break, h:mm:ss")},
+        {PortPage::tr("Bytes sent"), QString::number(status.bytesSent),
+         PortPage::tr("number of bytes sent to the port")},
+        {PortPage::tr("Bytes received"), QString::number(status.bytesReceived),
+         PortPage::tr("number of bytes received from the port")},
+        {PortPage::tr("Attempts to open"), QString::number(status.failedOpens),
+         PortPage::tr("number of failed attempts to open the port")},
+        {PortPage::tr("Write errors"), QString::number(status.writeErrors),
+         PortPage::tr("number of errors of writing to the port")},
+        {PortPage::tr("Read errors"), QString::number(status.readErrors),
+         PortPage::tr("number of errors of reading from the port")},
+        {PortPage::tr("CRC errors"), QString::number(status.crcErrors),
+         PortPage::tr("number of CRC errors in what was read from the port")},
+        {PortPage::tr("Code of the last error"), lastError(status),
+         PortPage::tr("code of the system and its meaning; 0: no error so far")},
     };
 }
 
 Properties sensorProperties(const SensorRegistry::Sensor &sensor, LineState line, SteadyTime now)
 {
     const Reading &reading = sensor.reading;
-    return {
-        {SensorPage::tr("Comment"), sensor.config.name, {}},
-        {SensorPage::tr("State"), statetext::sensor(sensor, line), {}},
-        {SensorPage::tr("Angles Mx, My, degrees (arc-seconds)"), valuetext::tilt(validTilt(reading)), {}},
+    const SensorConfig &config = sensor.config;
+    Properties rows{
+        {SensorPage::tr("Comment"), valuetext::orAbsent(config.name),
+         SensorPage::tr("short description of the sensor")},
+        stateRow(
+            SensorPage::tr("State"), statetext::sensor(sensor, line), SensorPage::tr("state of the sensor"),
+            sensorHealth(sensor, line)),
+        {SensorPage::tr("Angles Mx, My, degrees (arc-seconds)"), valuetext::tilt(validTilt(reading)),
+         SensorPage::tr("angle along X, angle along Y, degrees (the same in arc-seconds)")},
         {SensorPage::tr("Accelerations Ax, Ay, mm/s²"),
          valuetext::acceleration(validAcceleration(reading), reading.ring, sensor.packetsSaved),
          accelerationNote(reading)},
-        {SensorPage::tr("Temperature T, °C"), valuetext::fixed(validTemperature(reading), 2), {}},
+        {SensorPage::tr("Temperature T, °C"), valuetext::fixed(validTemperature(reading), 2),
+         SensorPage::tr("temperature, if the sensor measures it")},
         // Only the weather station measures wind, and its readings do not come this way.
-        {SensorPage::tr("Wind speed U, V, m/s"), valuetext::absent(), {}},
+        {SensorPage::tr("Wind speed U, V, m/s"), valuetext::absent(),
+         SensorPage::tr("speed of the wind, if the sensor measures it")},
         {SensorPage::tr("Thermostat, % (rev/s)"),
-         valuetext::thermostat(validHeaterPower(reading), validFanFrequency(reading)),
-         SensorPage::tr("power of the heater (frequency of the fan)")},
-        {SensorPage::tr("Status word"), valuetext::words(reading.rawStatus, reading.rawMode), statusNote(reading)},
+         valuetext::thermostat(validHeaterPower(config, reading), validFanFrequency(config, reading)),
+         SensorPage::tr("power of the heater, % (frequency of the fan, revolutions per second)")},
+        {SensorPage::tr("Status word"), valuetext::words(reading.rawStatus, reading.rawMode),
+         statusNote(config, reading)},
         {SensorPage::tr("Polling period, s"), valuetext::poll(reading, now),
-         SensorPage::tr("period | time of the exchange | age of the values")},
-        {SensorPage::tr("Read errors"), QString::number(reading.counters.readErrors), {}},
-        {SensorPage::tr("CRC errors"), QString::number(reading.counters.crcErrors), {}},
+         SensorPage::tr("actual period of polling | time of the exchange | age of the values")},
+        {SensorPage::tr("Read errors"), QString::number(reading.counters.readErrors),
+         SensorPage::tr("number of errors of reading from the sensor")},
+        {SensorPage::tr("CRC errors"), QString::number(reading.counters.crcErrors),
+         SensorPage::tr("number of CRC errors in what was read from the sensor")},
     };
+    rows += informationProperties(sensor);
+    return rows;
 }
 
 } // namespace gorizont

@@ -25,6 +25,11 @@ QString absent()
     return QStringLiteral("—");
 }
 
+QString orAbsent(const QString &text)
+{
+    return text.isEmpty() ? absent() : text;
+}
+
 QString fixed(std::optional<double> value, int decimals)
 {
     return value ? QString::asprintf("%.*f", decimals, *value) : absent();
@@ -144,6 +149,11 @@ bool isInContact(quint16 status)
     return !(status & statusbit::NotPolled) && (code == StatusCode::Good || code >= StatusCode::TransducerSilent);
 }
 
+std::optional<double> ofThermostat(const SensorConfig &sensor, const std::optional<double> &value)
+{
+    return sensor.hasThermostat || value.value_or(0) > 0 ? value : std::nullopt;
+}
+
 } // namespace
 
 std::optional<Tilt> validTilt(const Reading &reading)
@@ -161,14 +171,14 @@ std::optional<AccelStatistics> validAcceleration(const Reading &reading)
     return isAccelerationValid(reading.status) ? reading.acceleration : std::nullopt;
 }
 
-std::optional<double> validHeaterPower(const Reading &reading)
+std::optional<double> validHeaterPower(const SensorConfig &sensor, const Reading &reading)
 {
-    return isInContact(reading.status) ? reading.heaterPower : std::nullopt;
+    return isInContact(reading.status) ? ofThermostat(sensor, reading.heaterPower) : std::nullopt;
 }
 
-std::optional<double> validFanFrequency(const Reading &reading)
+std::optional<double> validFanFrequency(const SensorConfig &sensor, const Reading &reading)
 {
-    return isInContact(reading.status) ? reading.fanFrequency : std::nullopt;
+    return isInContact(reading.status) ? ofThermostat(sensor, reading.fanFrequency) : std::nullopt;
 }
 
 } // namespace gorizont

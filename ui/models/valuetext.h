@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/values/reading.h"
+#include "core/values/sensorconfig.h"
 
 #include <QString>
 
@@ -13,6 +14,8 @@ namespace valuetext {
 using Seconds = std::chrono::seconds;
 
 QString absent(); ///< `—`: the only way to show a value that is not there or not valid
+
+QString orAbsent(const QString &text);
 
 QString fixed(std::optional<double> value, int decimals); ///< `21.38`
 QString signedFixed(std::optional<double> value, int decimals); ///< `+0.756`
@@ -44,8 +47,9 @@ QString clock(UtcTime time); ///< `hh:mm:ss dd.mm.yy`, local time
 std::optional<Tilt> validTilt(const Reading &reading);
 std::optional<double> validTemperature(const Reading &reading);
 std::optional<AccelStatistics> validAcceleration(const Reading &reading);
-/// Fan and heater have no flag of their own: they count while the sensor is polled and answers.
-std::optional<double> validHeaterPower(const Reading &reading);
-std::optional<double> validFanFrequency(const Reading &reading);
+/// Fan and heater have no flag of their own: they count while the sensor is polled and answers. A sensor whose name
+/// tells of no thermostat and that reports zero has none.
+std::optional<double> validHeaterPower(const SensorConfig &sensor, const Reading &reading);
+std::optional<double> validFanFrequency(const SensorConfig &sensor, const Reading &reading);
 
 } // namespace gorizont

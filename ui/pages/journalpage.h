@@ -9,8 +9,9 @@ class QHBoxLayout;
 namespace gorizont {
 
 class JournalFilter;
+class TableView;
 
-/// The tab <Журнал>: the events and which kinds of them are shown. GUI thread.
+/// The tab <Журнал>: the events, which kinds of them are shown, and a text to find in them. GUI thread.
 class JournalPage : public QWidget
 {
     Q_OBJECT
@@ -21,7 +22,11 @@ public:
 private:
     void addKind(QHBoxLayout *bar, JournalKind kind, const QString &title, const QString &objectName);
 
+    void addSearch(QHBoxLayout *bar);
+    void onFilterChanged();
+
     JournalFilter *m_filter;
+    TableView *m_view;
 };
 
 } // namespace gorizont

@@ -1,13 +1,22 @@
 #include "ui/pages/measurementspage.h"
 
 #include "ui/models/measurementmodel.h"
+#include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
 #include <QFontDatabase>
-#include <QHeaderView>
 #include <QVBoxLayout>
 
 namespace gorizont {
+
+namespace {
+
+QString seconds(std::chrono::milliseconds time)
+{
+    return QString::number(std::chrono::duration<double>(time).count());
+}
+
+} // namespace
 
 MeasurementsPage::MeasurementsPage(const SensorRegistry &registry, const ServerConfig &config, QWidget *parent)
     : QWidget(parent)
@@ -15,16 +24,16 @@ MeasurementsPage::MeasurementsPage(const SensorRegistry &registry, const ServerC
 {
     auto *view = new TableView(QStringLiteral("measurementsTable"), this);
     view->setModel(m_model);
-    const QFontMetrics metrics(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    constexpr int margins = 24;
-    const int time = metrics.horizontalAdvance(QStringLiteral("18:33:03 07.02.18")) + margins;
-    const int value = metrics.horizontalAdvance(QStringLiteral("-264000.0")) + margins;
-    const int status = metrics.horizontalAdvance(QStringLiteral("10 0000 0001 0100")) + margins;
-    view->horizontalHeader()->setDefaultSectionSize(value);
-    view->setColumnWidth(0, time);
-    for (int column = 6; column < m_model->columnCount(); column += 5) {
-        view->setColumnWidth(column, status);
+    // The columns do not move: a copied row is a line of the file.
+    TableColumns &columns = view->columns();
+    columns.setCellFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    columns.setCommonSample(2, QStringLiteral("-264000.0"));
+    columns.setSample(0, QStringLiteral("18:33:03 07.02.18"));
+    columns.setSample(1, QStringLiteral("3333333333333333"));
+    for (int column = m_model->columnCount() - 1; column > 1; column -= MeasurementModel::sensorColumns) {
+        columns.setSample(column, QStringLiteral("10 0000 0001 0100"));
     }
+    view->setEmptyText(tr("No measurement yet: a line comes every %1 s.").arg(seconds(config.timing.save)));
     view->followEnd();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -22,10 +22,13 @@ public:
     void setProperties(const Properties &properties);
 
 private:
+    void onNamesChanged();
     void mergeHeadings();
+    void fitNames();
 
     PropertyModel *m_model;
     TableView *m_view;
+    QString m_widestName; ///< so far: the column does not jump from one thing to the next
 };
 
 } // namespace gorizont

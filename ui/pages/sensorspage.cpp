@@ -1,6 +1,7 @@
 #include "ui/pages/sensorspage.h"
 
 #include "ui/models/sensormodel.h"
+#include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
 #include <QHeaderView>
@@ -21,18 +22,20 @@ SensorsPage::SensorsPage(const SensorRegistry &registry, QWidget *parent)
 {
     m_view->setModel(m_model);
     m_view->setTextElideMode(Qt::ElideMiddle);
-    m_view->setSortingEnabled(true);
-    m_view->sortByColumn(SensorModel::Sensor, Qt::AscendingOrder);
-    m_view->setColumnSample(SensorModel::Mx, QStringLiteral("-180.000"));
-    m_view->setColumnSample(SensorModel::My, QStringLiteral("-180.000"));
-    m_view->setColumnSample(SensorModel::Amax, QStringLiteral("10000.00"));
-    m_view->setColumnSample(SensorModel::Arms, QStringLiteral("10000.00"));
-    m_view->setColumnSample(SensorModel::Temperature, QStringLiteral("-100.00"));
-    m_view->setColumnSample(SensorModel::Fan, QStringLiteral("1000.0"));
-    m_view->setColumnSample(SensorModel::Power, QStringLiteral("100.0"));
-    m_view->setColumnSample(SensorModel::Status, QStringLiteral("10 0000 0000 0000"));
+    m_view->horizontalHeader()->setSectionsMovable(true);
     m_view->horizontalHeader()->setMinimumSectionSize(60);
-    m_view->setElasticColumn(SensorModel::Sensor, QStringLiteral("100 АН-Д3 [А1] [100]"));
+    m_view->setEmptyText(tr("The configuration file lists no sensors."));
+    TableColumns &columns = m_view->columns();
+    columns.setDefaultSort(SensorModel::Sensor);
+    columns.setSample(SensorModel::Mx, QStringLiteral("-180.000"));
+    columns.setSample(SensorModel::My, QStringLiteral("-180.000"));
+    columns.setSample(SensorModel::Amax, QStringLiteral("10000.00"));
+    columns.setSample(SensorModel::Arms, QStringLiteral("10000.00"));
+    columns.setSample(SensorModel::Temperature, QStringLiteral("-100.00"));
+    columns.setSample(SensorModel::Fan, QStringLiteral("1000.0"));
+    columns.setSample(SensorModel::Power, QStringLiteral("100.0"));
+    columns.setSample(SensorModel::Status, QStringLiteral("10 0000 0000 0000"));
+    columns.setElastic(SensorModel::Sensor, QStringLiteral("100 АН-Д3 [А1] [100]"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);
@@ -49,12 +52,6 @@ void SensorsPage::refresh(SteadyTime now)
     }
     const TableView::Rows rows = m_view->visibleRows();
     m_model->refresh(rows.first, rows.last);
-}
-
-void SensorsPage::sortByStatus()
-{
-    m_view->sortByColumn(SensorModel::Status, Qt::DescendingOrder);
-    m_view->scrollToTop();
 }
 
 } // namespace gorizont

@@ -22,9 +22,6 @@ public:
     /// Draws the visible rows anew; every few seconds the order too, so that rows do not dance.
     void refresh(SteadyTime now);
 
-    /// Sensors whose status asks for attention come first.
-    void sortByStatus();
-
 Q_SIGNALS:
     void chosen(gorizont::SiteItem item);
 

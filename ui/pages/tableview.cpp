@@ -1,20 +1,27 @@
 #include "ui/pages/tableview.h"
 
+#include "ui/models/colours.h"
+#include "ui/pages/endfollower.h"
+#include "ui/pages/tablecolumns.h"
+#include "ui/pages/tabletext.h"
+
 #include <QAction>
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
 #include <QProxyStyle>
-#include <QScrollBar>
+#include <QTimer>
 
 #include <algorithm>
+#include <numeric>
 
 namespace gorizont {
 
 namespace {
-
-constexpr int sideMargin = 6; ///< between a text and the edge of its cell or heading, pixels
 
 /// The style of the desktop with room at both sides of a text. A style sheet would do, at several times the cost.
 class RoomyStyle : public QProxyStyle
@@ -23,17 +30,25 @@ public:
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override
     {
         switch (metric) {
-        case PM_HeaderMargin: return sideMargin + 1;
-        case PM_FocusFrameHMargin: return sideMargin;
+        case PM_HeaderMargin: return TableColumns::sideMargin + 1;
+        case PM_FocusFrameHMargin: return TableColumns::sideMargin;
         default: return QProxyStyle::pixelMetric(metric, option, widget);
         }
     }
 };
 
+void toClipboard(const QString &text)
+{
+    if (!text.isEmpty()) {
+        QGuiApplication::clipboard()->setText(text);
+    }
+}
+
 } // namespace
 
 TableView::TableView(const QString &objectName, QWidget *parent)
     : QTableView(parent)
+    , m_columns(new TableColumns(this))
 {
     setObjectName(objectName);
     auto *roomy = new RoomyStyle;
@@ -55,14 +70,31 @@ TableView::TableView(const QString &objectName, QWidget *parent)
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().averageCharWidth() * 4);
     connect(this, &QTableView::doubleClicked, this, &TableView::rowChosen);
+    addActions();
+}
 
-    auto *copy = new QAction(tr("&Copy"), this);
-    copy->setObjectName(QStringLiteral("copyAction"));
-    copy->setShortcut(QKeySequence::Copy);
-    copy->setShortcutContext(Qt::WidgetShortcut);
-    connect(copy, &QAction::triggered, this, &TableView::copySelection);
-    addAction(copy);
-    setContextMenuPolicy(Qt::ActionsContextMenu);
+QAction *TableView::addCopyAction(const QString &title, const char *objectName, void (TableView::*copy)())
+{
+    auto *action = new QAction(title, this);
+    action->setObjectName(QLatin1String(objectName));
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, copy);
+    addAction(action);
+    return action;
+}
+
+void TableView::addActions()
+{
+    m_copyCell = addCopyAction(tr("Copy the &cell"), "copyCellAction", &TableView::copyCell);
+    m_copyRows = addCopyAction(tr("Copy the &rows"), "copyRowsAction", &TableView::copySelection);
+    m_copyRows->setShortcut(QKeySequence::Copy);
+    m_copyTable = addCopyAction(tr("Copy the &table"), "copyTableAction", &TableView::copyTable);
+
+    auto *restore = new QAction(tr("Restore the columns"), this);
+    restore->setObjectName(QStringLiteral("restoreColumnsAction"));
+    connect(restore, &QAction::triggered, m_columns, &TableColumns::restore);
+    horizontalHeader()->addAction(restore);
+    horizontalHeader()->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 TableView::Rows TableView::visibleRows() const
@@ -75,88 +107,99 @@ TableView::Rows TableView::visibleRows() const
     return {std::max(0, first), last < 0 ? model()->rowCount() - 1 : last};
 }
 
-void TableView::setColumnSample(int column, const QString &widest)
-{
-    setColumnWidth(column, sampleWidth(column, widest));
-}
-
-void TableView::setElasticColumn(int column, const QString &least)
-{
-    m_elasticColumn = column;
-    m_elasticWidth = sampleWidth(column, least);
-    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int resized) {
-        if (resized != m_elasticColumn) {
-            stretchElasticColumn();
-        }
-    });
-    stretchElasticColumn();
-}
-
 void TableView::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    if (m_elasticColumn >= 0) {
-        stretchElasticColumn();
-    }
-}
-
-void TableView::stretchElasticColumn()
-{
-    const int others = horizontalHeader()->length() - columnWidth(m_elasticColumn);
-    setColumnWidth(m_elasticColumn, std::max(m_elasticWidth, viewport()->width() - others));
-}
-
-int TableView::sampleWidth(int column, const QString &widest) const
-{
-    constexpr int margins = 2 * (sideMargin + 1);
-    const int sortMark = style()->pixelMetric(QStyle::PM_HeaderMarkSize) + margins;
-    const QString heading = model()->headerData(column, Qt::Horizontal).toString();
-    const QFont cellFont = model()->index(0, column).data(Qt::FontRole).value<QFont>();
-    const int headingWidth = fontMetrics().horizontalAdvance(heading) + (isSortingEnabled() ? sortMark : 0);
-    const int cellWidth =
-        std::max(fontMetrics().horizontalAdvance(widest), QFontMetrics(cellFont).horizontalAdvance(widest));
-    const bool hasIcon = !model()->index(0, column).data(Qt::DecorationRole).isNull();
-    const int iconWidth = hasIcon ? style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, this) + margins : 0;
-    return std::max(headingWidth, cellWidth + iconWidth) + margins;
-}
-
-bool TableView::isAtEnd() const
-{
-    return verticalScrollBar()->value() >= verticalScrollBar()->maximum();
+    m_columns->stretch();
 }
 
 void TableView::followEnd()
 {
-    connect(model(), &QAbstractItemModel::rowsAboutToBeInserted, this, [this] { m_wasAtEnd = isAtEnd(); });
-    connect(model(), &QAbstractItemModel::rowsInserted, this, [this] {
-        if (m_wasAtEnd) {
-            scrollToBottom();
-        }
-    });
-    scrollToBottom();
+    new EndFollower(this);
+}
+
+/// The current row may be among them; Qt would scroll to the next one, away from what somebody reads.
+void TableView::rowsAboutToBeRemoved(const QModelIndex &parent, int first, int last)
+{
+    setAutoScroll(false);
+    QTableView::rowsAboutToBeRemoved(parent, first, last);
+    QTimer::singleShot(0, this, [this] { setAutoScroll(true); });
+}
+
+void TableView::setEmptyText(const QString &text)
+{
+    m_emptyText = text;
+    setAccessibleDescription(text);
+    viewport()->update();
+}
+
+void TableView::paintEvent(QPaintEvent *event)
+{
+    QTableView::paintEvent(event);
+    if (m_emptyText.isEmpty() || !model() || model()->rowCount() > 0) {
+        return;
+    }
+    QPainter painter(viewport());
+    painter.setPen(colours::mutedText(palette()));
+    constexpr int margin = 4 * TableColumns::sideMargin;
+    painter.drawText(
+        viewport()->rect().adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
 }
 
 QString TableView::selectionAsText() const
 {
-    QModelIndexList rows = selectionModel()->selectedRows();
-    std::sort(rows.begin(), rows.end(), [](const QModelIndex &a, const QModelIndex &b) { return a.row() < b.row(); });
-    QStringList lines;
-    for (const QModelIndex &row : std::as_const(rows)) {
-        QStringList fields;
-        for (int column = 0; column < model()->columnCount(); ++column) {
-            fields += row.siblingAtColumn(column).data().toString();
-        }
-        lines += fields.join(u'\t');
+    QList<int> rows;
+    for (const QModelIndex &index : selectionModel()->selectedRows()) {
+        rows += index.row();
     }
-    return lines.join(u'\n');
+    std::sort(rows.begin(), rows.end());
+    return tabletext::rows(*horizontalHeader(), rows);
+}
+
+QString TableView::tableAsText() const
+{
+    QList<int> rows(model()->rowCount());
+    std::iota(rows.begin(), rows.end(), 0);
+    const QString text = tabletext::rows(*horizontalHeader(), rows);
+    return horizontalHeader()->isHidden() ? text : tabletext::headings(*horizontalHeader()) + u'\n' + text;
+}
+
+void TableView::copyCell()
+{
+    toClipboard(tabletext::cell(currentIndex().data().toString()));
 }
 
 void TableView::copySelection()
 {
-    const QString text = selectionAsText();
-    if (!text.isEmpty()) {
-        QGuiApplication::clipboard()->setText(text);
-    }
+    toClipboard(selectionAsText());
+}
+
+void TableView::copyTable()
+{
+    toClipboard(tableAsText());
+}
+
+void TableView::updateActions()
+{
+    m_copyCell->setEnabled(currentIndex().isValid());
+    m_copyRows->setEnabled(selectionModel() && selectionModel()->hasSelection());
+    m_copyTable->setEnabled(model() && model()->rowCount() > 0);
+}
+
+void TableView::contextMenuEvent(QContextMenuEvent *event)
+{
+    updateActions();
+    auto *menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("tableMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(actions());
+    // An action that is off now must still take its shortcut later, when there is something to copy.
+    connect(menu, &QMenu::aboutToHide, this, [this] {
+        for (QAction *action : {m_copyCell, m_copyRows, m_copyTable}) {
+            action->setEnabled(true);
+        }
+    });
+    menu->popup(event->globalPos());
 }
 
 void TableView::keyPressEvent(QKeyEvent *event)

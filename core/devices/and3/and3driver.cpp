@@ -16,9 +16,6 @@ Q_LOGGING_CATEGORY(logDevice, "gorizont.device.and3", QtInfoMsg)
 
 using namespace std::chrono_literals;
 
-constexpr auto leastSilence = 10ms; ///< between any two exchanges, packet reads included (observed)
-constexpr auto firmwarePeriod = 60s;
-
 /// A quantity that the sensor calls not ready is absent.
 Measurement measurementOf(const ComplexRead &read)
 {
@@ -53,6 +50,7 @@ And3Driver::And3Driver(DriverSettings settings, Clock clock)
     : Driver(std::move(settings))
     , m_clock(std::move(clock))
     , m_ring(this->settings().sensor.number, accelerationScale(this->settings().gravity))
+    , m_enquiry(this->settings().sensor.number)
 {
 }
 
@@ -82,9 +80,7 @@ Result<Measurement> And3Driver::poll(Line &line)
     if (const auto kept = keepInOrder(line, *read); !kept) {
         return kept.fault();
     }
-    if (const auto asked = askFirmware(line, now); !asked) {
-        return asked.fault();
-    }
+    m_wantsEnquiry = settings().asksInformation && m_enquiry.isDue(now);
     measurement.conditions |= std::exchange(m_toReport, {});
     m_mayFetch = true;
     return measurement;
@@ -137,39 +133,44 @@ Result<void> And3Driver::tell(Line &line, const Request &request) const
     return answer || !isLineFault(answer.fault()) ? Result<void>() : answer.fault();
 }
 
-/// Once a minute, as the ini wishes; a sensor that does not answer this is not at fault.
-Result<void> And3Driver::askFirmware(Line &line, UtcTime now)
+/// A sensor that does not answer this is not at fault; the question comes again in a minute.
+Result<void> And3Driver::enquire(Line &line)
 {
-    const bool isDue = !m_firmwareAskedAt || std::chrono::abs(now - *m_firmwareAskedAt) >= firmwarePeriod;
-    if (!settings().asksInformation || !isDue) {
-        return {};
-    }
-    m_firmwareAskedAt = now;
-    const auto answer = ask(line, Request::information(address(), InformationKind::Firmware), forCommands());
+    const InformationKind kind = m_enquiry.next(m_clock());
+    const auto answer = ask(line, Request::information(address(), kind), forCommands());
     if (!answer) {
         return isLineFault(answer.fault()) ? Result<void>(answer.fault()) : Result<void>();
     }
-    const auto firmware = parseFirmware(*answer);
-    if (firmware && firmware != m_firmware) {
-        m_firmware = firmware;
+    const QString firmware = m_enquiry.known().firmware;
+    if (m_enquiry.take(kind, *answer)) {
+        report(m_enquiry.known());
+    }
+    if (m_enquiry.known().firmware != firmware) {
         note(
             JournalKind::Info,
-            QCoreApplication::translate("And3Driver", "Firmware %1.%2, build %3.")
-                .arg(firmware->version)
-                .arg(firmware->subVersion)
-                .arg(firmware->build));
+            QCoreApplication::translate("And3Driver", "Firmware %1.").arg(m_enquiry.known().firmware));
     }
     return {};
 }
 
 bool And3Driver::hasBacklog() const
 {
-    return m_mayFetch && m_ring.available() > 0;
+    return m_mayFetch && (m_wantsEnquiry || m_ring.available() > 0);
+}
+
+/// A question about the sensor itself goes first: it is one short exchange and comes six times a minute.
+Result<QList<SampleBlock>> And3Driver::fetch(Line &line)
+{
+    if (!std::exchange(m_wantsEnquiry, false)) {
+        return fetchPackets(line);
+    }
+    const auto asked = enquire(line);
+    return asked ? Result<QList<SampleBlock>>(QList<SampleBlock>()) : asked.fault();
 }
 
 /// One exchange. After a fault nothing is fetched until a poll has shown that the sensor is there; the packets wait in
 /// its ring.
-Result<QList<SampleBlock>> And3Driver::fetch(Line &line)
+Result<QList<SampleBlock>> And3Driver::fetchPackets(Line &line)
 {
     const RingReader::Step step = m_ring.nextStep();
     const auto request =
@@ -204,7 +205,7 @@ Result<QList<SampleBlock>> And3Driver::fetch(Line &line)
 void And3Driver::restart()
 {
     m_mayFetch = false;
-    m_firmwareAskedAt.reset();
+    m_wantsEnquiry = false;
 }
 
 /// Asks once more when a late answer to an earlier request had come before the time was over.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/devices/and3/and3answers.h"
+#include "core/devices/and3/and3enquiry.h"
 #include "core/devices/and3/and3protocol.h"
 #include "core/devices/and3/and3ring.h"
 #include "core/devices/driver.h"
@@ -16,7 +17,7 @@ namespace gorizont::and3 {
 double accelerationScale(double gravity);
 
 /// Speaks with one АН-Д3: current values by 201, accelerations from the ring by 203, reboot flag and recording kept in
-/// order by 50. In the thread of its line.
+/// order by 50, what it says of itself by 36. In the thread of its line.
 class And3Driver : public Driver
 {
 public:
@@ -45,7 +46,8 @@ private:
     void followRing(const ComplexRead &read, bool hasRebooted, UtcTime now);
     Result<void> keepInOrder(Line &line, const ComplexRead &read);
     Result<void> tell(Line &line, const Request &request) const;
-    Result<void> askFirmware(Line &line, UtcTime now);
+    Result<void> enquire(Line &line);
+    Result<QList<SampleBlock>> fetchPackets(Line &line);
 
     Clock m_clock;
     RingReader m_ring;
@@ -54,8 +56,8 @@ private:
     bool m_isStopped = false; ///< as the last poll said
     bool m_isOutOfStep = false; ///< the last packet did not follow the one before
     Conditions m_toReport; ///< happened since the last good poll; stands in the next one
-    std::optional<UtcTime> m_firmwareAskedAt;
-    std::optional<Firmware> m_firmware;
+    Enquiry m_enquiry;
+    bool m_wantsEnquiry = false; ///< a question became due by the last poll; it is asked in the free time of the line
 };
 
 std::unique_ptr<Driver> makeDriver(DriverSettings settings);

@@ -4,6 +4,8 @@
 
 #include <QByteArray>
 
+#include <chrono>
+
 /// АН-Д3 on the wire, pure (manufacturer's «Обмен данными с акселерометром-наклономером АН-Д3», version 1.03;
 /// spec/and3.md). RS-485, 8N1, 115200, half duplex.
 ///
@@ -50,6 +52,7 @@ constexpr qsizetype headerSize = 2; ///< AA OP
 constexpr qsizetype sumSize = 2; ///< CL CH
 constexpr qsizetype packetSize = 148; ///< bytes of one packet of the ring
 constexpr int ringCells = 128; ///< packets in the ring
+constexpr std::chrono::milliseconds leastSilence{10}; ///< between any two exchanges, packet reads included (observed)
 constexpr int longestRead = 4; ///< packets asked for at once: 52 ms at 115200
 
 struct Request

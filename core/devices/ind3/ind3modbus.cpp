@@ -53,6 +53,13 @@ Result<QList<quint16>> decodeRegisters(QByteArrayView answer, int count)
     return registers && registers->size() != count ? Fault::BadReply : registers;
 }
 
+/// One tilt and nothing else.
+Result<Tilt> decodeTilt(QByteArrayView answer)
+{
+    const auto registers = decodeRegisters(answer, angleCount);
+    return registers ? Result(tiltAt(*registers, 0)) : Result<Tilt>(registers.fault());
+}
+
 } // namespace
 
 std::optional<Request> readAngles(int address)
@@ -68,6 +75,11 @@ std::optional<Request> readSettings(int address)
 std::optional<Request> readOffsets(int address)
 {
     return makeRequest(address, modbusrtu::readHoldingRegisters(reg::OffsetY, offsetsCount));
+}
+
+std::optional<Request> readOwnOffset(int address)
+{
+    return makeRequest(address, modbusrtu::readHoldingRegisters(reg::OffsetY, angleCount));
 }
 
 std::optional<Request> setBaud(int address, int baud)
@@ -106,8 +118,12 @@ std::optional<Request> setOffset(int address, const Tilt &offset)
 
 Result<Tilt> decodeAngles(QByteArrayView answer)
 {
-    const auto registers = decodeRegisters(answer, angleCount);
-    return registers ? Result(tiltAt(*registers, 0)) : Result<Tilt>(registers.fault());
+    return decodeTilt(answer);
+}
+
+Result<Tilt> decodeOwnOffset(QByteArrayView answer)
+{
+    return decodeTilt(answer);
 }
 
 Result<Settings> decodeSettings(QByteArrayView answer)

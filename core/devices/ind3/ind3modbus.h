@@ -58,6 +58,8 @@ struct Offsets
 std::optional<Request> readAngles(int address);
 std::optional<Request> readSettings(int address);
 std::optional<Request> readOffsets(int address);
+/// Registers 30–33. Its answer is shorter than that of readSettings(): a late one cannot be taken for the other.
+std::optional<Request> readOwnOffset(int address);
 std::optional<Request> setBaud(int address, int baud);
 std::optional<Request> setProtocol(int address, bool isModbus);
 std::optional<Request> setPeriod(int address, std::chrono::milliseconds period);
@@ -71,5 +73,6 @@ std::optional<Request> setOffset(int address, const Tilt &offset);
 Result<Tilt> decodeAngles(QByteArrayView answer);
 Result<Settings> decodeSettings(QByteArrayView answer);
 Result<Offsets> decodeOffsets(QByteArrayView answer);
+Result<Tilt> decodeOwnOffset(QByteArrayView answer); ///< arc-seconds
 
 } // namespace gorizont::ind3::modbus

@@ -16,11 +16,16 @@ class TestConfigMistakes : public QObject
 private Q_SLOTS:
     void complainsOfEveryMistake();
     void goesOnAfterEveryMistake();
+    void numbersAreTooSmallOrTooLarge();
+    void textsHaveAnEnd();
     void keepsWhatWasReplaced();
     void sensorsThatAreOffTakeNothing();
     void absentNumbersGoRoundGivenOnes();
     void samePortMayBeWrittenInManyWays_data();
     void samePortMayBeWrittenInManyWays();
+    void adc24TakesAnAccelerometer_data();
+    void adc24TakesAnAccelerometer();
+    void twoServersCannotHaveOnePort();
     void emptyFileGivesOneComplaint();
     void binaryFileGivesReadableComplaints();
     void hugeFileGivesABoundedListOfComplaints();
@@ -62,6 +67,30 @@ void TestConfigMistakes::goesOnAfterEveryMistake()
     QVERIFY(config.startsHidden);
     QCOMPARE(config.timing.crcErrorPause, 600ms);
     QCOMPARE(config.lines.at(0).com, 4);
+}
+
+void TestConfigMistakes::numbersAreTooSmallOrTooLarge()
+{
+    const ConfigReading reading = read("[Common]\n[Timers]\nTmRun=2147483648\nTmSave=0\n[Errors]\nNumRErrSrs=-1\n");
+    QCOMPARE(
+        complaintTexts(reading),
+        (QStringList{
+            u"[Timers] TmRun, line 3: “2147483648” is more than 2147483647. The default 1000 is used."_s,
+            u"[Timers] TmSave, line 4: “0” is less than 1. The default 1000 is used."_s,
+            u"[Errors] NumRErrSrs, line 6: “-1” is less than 1. The default 10 is used."_s}));
+    QVERIFY(reading.config.timing == Timing());
+}
+
+void TestConfigMistakes::textsHaveAnEnd()
+{
+    const ConfigReading good = read("[Common]\nCaption=" + QByteArray(4000, 'x'));
+    QCOMPARE(complaintTexts(good), QStringList());
+    QCOMPARE(good.config.caption.size(), 4000);
+    const ConfigReading endless = read("[Common]\nName=" + QByteArray(1'000'000, 'x'));
+    QCOMPARE(
+        complaintTexts(endless),
+        QStringList{u"[Common] Name, line 2: The text is longer than 4000 characters. Its beginning is used."_s});
+    QCOMPARE(endless.config.name.size(), 4000);
 }
 
 void TestConfigMistakes::keepsWhatWasReplaced()
@@ -135,6 +164,55 @@ void TestConfigMistakes::samePortMayBeWrittenInManyWays()
     const ConfigReading reading =
         read("[Common]\nNumOfPorts=2\n[Port1]\n" + first + "\nOn=1\n[Port2]\n" + second + "\nOn=1\n");
     QCOMPARE(reading.config.lines.at(1).isOn, !isSame);
+}
+
+void TestConfigMistakes::adc24TakesAnAccelerometer_data()
+{
+    QTest::addColumn<QByteArray>("keys");
+    QTest::addColumn<int>("sensor");
+    QTest::addColumn<Adc24Axis>("axis");
+    QTest::addColumn<QString>("complaint");
+    QTest::newRow("absent") << QByteArray("") << 0 << Adc24Axis::X << QString();
+    QTest::newRow("good") << QByteArray("Sensor=8\nAxis=Y\n") << 8 << Adc24Axis::Y << QString();
+    QTest::newRow("Cyrillic X") << QByteArray("Axis=Х\n") << 0 << Adc24Axis::X << QString();
+    QTest::newRow("Cyrillic Y") << QByteArray("Axis=у\n") << 0 << Adc24Axis::Y << QString();
+    QTest::newRow("no such sensor") << QByteArray("Sensor=9\n") << 0 << Adc24Axis::X
+                                    << u"[ADC24] Sensor, line 10: The site has no accelerometer with number 9. "
+                                       "The first accelerometer is used."_s;
+    QTest::newRow("an inclinometer") << QByteArray("Sensor=7\n") << 0 << Adc24Axis::X
+                                     << u"[ADC24] Sensor, line 10: The site has no accelerometer with number 7. "
+                                        "The first accelerometer is used."_s;
+    QTest::newRow("no number") << QByteArray("Sensor=first\n") << 0 << Adc24Axis::X
+                               << u"[ADC24] Sensor, line 10: “first” is not a whole number. "
+                                  "The first accelerometer is used."_s;
+    QTest::newRow("number 0") << QByteArray("Sensor=0\n") << 0 << Adc24Axis::X
+                              << u"[ADC24] Sensor, line 10: “0” is less than 1. The first accelerometer is used."_s;
+    QTest::newRow("no axis") << QByteArray("Axis=Z\n") << 0 << Adc24Axis::X
+                             << u"[ADC24] Axis, line 10: “Z” is none of X, Y. The default X is used."_s;
+}
+
+void TestConfigMistakes::adc24TakesAnAccelerometer()
+{
+    QFETCH(const QByteArray, keys);
+    QFETCH(const QString, complaint);
+    const ConfigReading reading =
+        read("[Common]\nNumOfPorts=1\n[Port1]\nNumOfSensors=2\nName1=ИН-Д3\nN1=7\nName2=АН-Д3\nN2=8\n[ADC24]\n" + keys);
+    QTEST(reading.config.adc24Sensor, "sensor");
+    QTEST(reading.config.adc24Axis, "axis");
+    QCOMPARE(complaintTexts(reading).join(u'|'), complaint);
+    QCOMPARE(reading.config.replaced.size(), complaint.isEmpty() ? 0 : 1);
+}
+
+void TestConfigMistakes::twoServersCannotHaveOnePort()
+{
+    const ConfigReading reading = read("[Common]\nIPPort1=5020\nIPPort2=5020\n");
+    QCOMPARE(
+        complaintTexts(reading),
+        QStringList{u"[Common] IPPort2, line 3: 5020 is the port of Modbus TCP already. ADC24 TCP is switched off."_s});
+    QVERIFY(!reading.config.servesAdc24);
+    QVERIFY(reading.config.servesModbus);
+    QVERIFY(read("[Common]\nIPPort1=5020\nIPPort2=5020\nCanADC24=0\n").complaints.isEmpty());
+    QVERIFY(read("[Common]\nIPPort1=5020\nIPPort2=5020\nCanModbus=0\n").config.servesAdc24);
 }
 
 void TestConfigMistakes::emptyFileGivesOneComplaint()

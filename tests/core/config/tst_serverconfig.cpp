@@ -103,6 +103,9 @@ void TestServerConfig::absentKeysHaveTheirDefaults()
     QCOMPARE(config.asksInformation, false);
     QCOMPARE(config.servesOpc, false);
     QCOMPARE(config.servesModbus, true);
+    QCOMPARE(config.servesAdc24, true);
+    QCOMPARE(config.adc24Sensor, 0);
+    QCOMPARE(config.adc24Axis, Adc24Axis::X);
     QCOMPARE(config.memoCount, 60);
     QCOMPARE(config.memoDelete, 1);
     QCOMPARE(config.ringPackets, 8192);
@@ -148,10 +151,11 @@ void TestServerConfig::readsEveryKeyOfTheProgram()
 {
     const ConfigReading reading =
         read("[Common]\nCaption=c\nName=n\nSerialNumber=24607676\nLanguage=EN\nIPPort1=1502\nIPPort2=1503\n"
-             "CanModbus=0\nCanOPCDA=1\nShowAdvanced=1\nCanHide=1\nCanClose=0\nCanSave=0\nCanInfo=1\nMemoCount=61\n"
+             "CanModbus=0\nCanADC24=0\nCanOPCDA=1\nShowAdvanced=1\nCanHide=1\nCanClose=0\nCanSave=0\nCanInfo="
+             "1\nMemoCount=61\n"
              "MemoDel=2\nSrsBufSize=4096\nSrsBufToSave=3\nGravity=9,8155\nModbusPacking=bynumber\nModbusBase=1\n"
              "ModbusClients=5\nModbusIdle=7\nModbusBind=127.0.0.1\nModbusAllow=10.0.0.0/8; ::1,192.168.1.7\n"
-             "LegacyStatusBits=1\n"
+             "LegacyStatusBits=1\n[ADC24]\nAxis=y\n"
              "[Timers]\nTmUpdateInt=1\nTmRun=2\nTmStart=3\nTmSave=4\n[Pauses]\nPPauseTick=5\nPReOpen=6\nPClose=7\n"
              "PExit=8\n[Sleeps]\nSAdrChange=9\nSIdle=10\nSRError=11\nSCRCErrors=12\n[TimeOuts]\nTORCom=13\n"
              "TOWCom=14\nTORDat=15\nTOWDat=16\n[Errors]\nNumRErrSrs=17\nNumCErrSrs=18\n");
@@ -164,6 +168,7 @@ void TestServerConfig::readsEveryKeyOfTheProgram()
     expected.modbusPort = 1502;
     expected.adc24Port = 1503;
     expected.servesModbus = false;
+    expected.servesAdc24 = false;
     expected.servesOpc = true;
     expected.showsAdvanced = true;
     expected.startsHidden = true;
@@ -182,6 +187,7 @@ void TestServerConfig::readsEveryKeyOfTheProgram()
     expected.modbusBind = u"127.0.0.1"_s;
     expected.modbusAllow = QStringList{u"10.0.0.0/8"_s, u"::1"_s, u"192.168.1.7"_s};
     expected.hasLegacyStatusBits = true;
+    expected.adc24Axis = Adc24Axis::Y;
     expected.timing = {1ms, 2ms, 3ms, 4ms, 5ms, 6ms, 7ms, 8ms, 9ms, 10ms, 11ms, 12ms, 13ms, 14ms, 15ms, 16ms, 17, 18};
     QVERIFY(reading.config.timing == expected.timing);
     QVERIFY(reading.config == expected);

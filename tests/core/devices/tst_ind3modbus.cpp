@@ -35,6 +35,7 @@ namespace {
 const QByteArray anglesAnswer = hex("01 04 08 FF FE 2D 8A 00 02 F6 AB 4C BB");
 const QByteArray settingsAnswer = hex("01 03 10 00 04 00 01 00 02 00 05 10 30 00 01 00 00 07 5F 98 F4");
 const QByteArray offsetsAnswer = hex("01 03 10 FF FF D6 FC 00 00 14 05 00 03 0D 40 FF FB 6C 20 FD 7D");
+const QByteArray ownOffsetAnswer = hex("01 03 08 FF FF D6 FC 00 00 14 05 59 3D");
 
 } // namespace
 
@@ -47,6 +48,7 @@ void TstInd3Modbus::exchanges_data()
     QTest::newRow("angles") << modbus::readAngles(1) << hex("01 04 00 00 00 04 F1 C9") << anglesAnswer;
     QTest::newRow("settings") << modbus::readSettings(1) << hex("01 03 00 14 00 08 04 08") << settingsAnswer;
     QTest::newRow("offsets") << modbus::readOffsets(1) << hex("01 03 00 1E 00 08 24 0A") << offsetsAnswer;
+    QTest::newRow("own offset") << modbus::readOwnOffset(1) << hex("01 03 00 1E 00 04 24 0F") << ownOffsetAnswer;
     QTest::newRow("baud") << modbus::setBaud(1, 115200) << hex("01 10 00 14 00 01 02 00 08 A4 82")
                           << hex("01 10 00 14 00 01 41 CD");
     QTest::newRow("protocol") << modbus::setProtocol(1, false) << hex("01 10 00 15 00 01 02 00 00 A4 95")
@@ -110,6 +112,8 @@ void TstInd3Modbus::offsets()
 {
     const modbus::Offsets expected{{5.125, -10.5}, {-300, 200}};
     QVERIFY(*modbus::decodeOffsets(offsetsAnswer) == expected);
+    QCOMPARE(*modbus::decodeOwnOffset(ownOffsetAnswer), expected.own);
+    QVERIFY(modbus::decodeOwnOffset(offsetsAnswer).fault() == Fault::BadReply);
 }
 
 void TstInd3Modbus::outOfRange()

@@ -1,5 +1,6 @@
 #include "core/engine/lineworker.h"
-#include "core/simulation/simulatedline.h"
+
+#include "tests/support/pluggedline.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -45,43 +46,6 @@ PollingSettings settings(int sensors)
     return settings;
 }
 
-/// A simulated line that can be pulled out and plugged in from the test.
-class PluggedLine : public SimulatedLine
-{
-public:
-    PluggedLine(const LineConfig &config, const SimulatedBus::Options &options, std::atomic_bool &isPlugged)
-        : SimulatedLine(config, options, std::chrono::steady_clock::now(), 100ms)
-        , m_isPlugged(isPlugged)
-    {
-    }
-
-    Result<void> open() override
-    {
-        setLastError(2, QStringLiteral("no such port"));
-        return m_isPlugged ? SimulatedLine::open() : Result<void>(Fault::Closed);
-    }
-
-protected:
-    Result<void> writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout) override
-    {
-        if (!m_isPlugged) {
-            close();
-        }
-        return SimulatedLine::writeAll(bytes, timeout);
-    }
-
-    Result<QByteArray> readSome(std::chrono::microseconds timeout) override
-    {
-        if (!m_isPlugged) {
-            close();
-        }
-        return SimulatedLine::readSome(timeout);
-    }
-
-private:
-    std::atomic_bool &m_isPlugged;
-};
-
 /// A worker in its thread and everything it says, collected in the test's thread.
 class Bench : public QObject
 {
@@ -90,7 +54,7 @@ public:
         : worker(settings, [this, line = settings.line, faults] {
             SimulatedBus::Options options;
             options.faults = faults;
-            return std::make_unique<PluggedLine>(line, options, isPlugged);
+            return std::make_unique<test::PluggedLine>(line, options, isPlugged);
         })
     {
         worker.moveToThread(&thread);

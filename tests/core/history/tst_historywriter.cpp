@@ -65,6 +65,8 @@ private Q_SLOTS:
     void nothingIsWrittenWithoutCanSave();
     void clockStepIsNoted();
     void packetsAreCounted();
+    void pairHoldsSrsBufSizeTimesSrsBufToSavePackets_data();
+    void pairHoldsSrsBufSizeTimesSrsBufToSavePackets();
     void impossibleFolderIsToldOnce();
     void fullDiskIsToldOnceAndEventsAreKept();
     void blockLostByOnePairClosesTheOthers();
@@ -240,6 +242,36 @@ void TestHistoryWriter::packetsAreCounted()
     QCOMPARE(packets.last(), (QVariantList{3, quint64{3}}));
     QCOMPARE(file("Bin/18_02_07_18_33_03_3X.wrd").size(), 128); // a pair holds 2 × 32 × 1 samples
     QCOMPARE(file("Bin/18_02_07_18_33_09_3Y.wrd").size(), 64);
+}
+
+void TestHistoryWriter::pairHoldsSrsBufSizeTimesSrsBufToSavePackets_data()
+{
+    QTest::addColumn<int>("ringPackets");
+    QTest::addColumn<int>("packetsToSave");
+    QTest::addColumn<QList<qint64>>("sizes"); // of the X files, bytes: 32 samples of 2 a packet
+    QTest::newRow("2 × 1") << 2 << 1 << QList<qint64>{128, 128, 128, 64};
+    QTest::newRow("3 × 1") << 3 << 1 << QList<qint64>{192, 192, 64};
+    QTest::newRow("2 × 3") << 2 << 3 << QList<qint64>{384, 64};
+}
+
+/// Seven packets of 3.2 s.
+void TestHistoryWriter::pairHoldsSrsBufSizeTimesSrsBufToSavePackets()
+{
+    QFETCH(int, ringPackets);
+    QFETCH(int, packetsToSave);
+    m_config.ringPackets = ringPackets;
+    m_config.packetsToSave = packetsToSave;
+    create(m_config);
+    for (int packet = 0; packet < 7; ++packet) {
+        m_writer->appendBlock(samples(3, m_now + packet * 3200ms, static_cast<qint16>(32 * packet), 32, packet > 0));
+        m_writer->flush();
+    }
+    QList<qint64> sizes;
+    const QDir folder(m_config.folder + QStringLiteral("/Bin"), QStringLiteral("*X.wrd"), QDir::Name);
+    for (const QFileInfo &file : folder.entryInfoList()) {
+        sizes.append(file.size());
+    }
+    QTEST(sizes, "sizes");
 }
 
 void TestHistoryWriter::impossibleFolderIsToldOnce()

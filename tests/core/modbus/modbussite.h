@@ -31,7 +31,7 @@ inline ModbusConfig modbusSite(ModbusPacking packing = ModbusPacking::ByType, in
     };
     ModbusConfig config;
     config.port = 0;
-    config.bind = QStringLiteral("127.0.0.1");
+    config.desk.bind = QStringLiteral("127.0.0.1");
     config.packing = packing;
     config.base = base;
     // Out of order on purpose: the blocks go by ascending N.

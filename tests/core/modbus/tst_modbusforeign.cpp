@@ -1,8 +1,9 @@
+#include "core/modbus/modbusserver.h"
 #include "tests/core/modbus/modbussite.h"
-#include "tests/core/modbus/testclient.h"
 
 #include <QProcess>
 #include <QRegularExpression>
+#include <QTest>
 #include <QThread>
 
 #include <array>

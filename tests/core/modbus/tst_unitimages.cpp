@@ -225,10 +225,10 @@ private Q_SLOTS:
         expected.port = 1502;
         expected.packing = ModbusPacking::ByNumber;
         expected.base = 1;
-        expected.clients = 7;
-        expected.idle = std::chrono::milliseconds(30000);
-        expected.bind = QStringLiteral("::1");
-        expected.allow = QStringList{QStringLiteral("10.0.0.0/8")};
+        expected.desk.clients = 7;
+        expected.desk.idle = std::chrono::milliseconds(30000);
+        expected.desk.bind = QStringLiteral("::1");
+        expected.desk.allow = QStringList{QStringLiteral("10.0.0.0/8")};
         expected.lines = modbusSite().lines;
         expected.rules = {3, 4, true};
         QVERIFY(modbusConfig(server) == expected);

@@ -105,6 +105,20 @@ private Q_SLOTS:
         QCOMPARE(journal.total(), quint64(Journal::capacity + 5));
         QCOMPARE(added.size(), static_cast<qsizetype>(Journal::capacity + 5));
     }
+
+    void informationStaysWithItsSensor()
+    {
+        SensorRegistry registry(lines(), {});
+        QCOMPARE(registry.sensors()[2].information.firmware, QString());
+        DeviceInformation information;
+        information.number = 5;
+        information.firmware = QStringLiteral("2.3.12");
+        registry.setInformation(information);
+        QVERIFY(registry.sensors()[2].information == information);
+        QCOMPARE(registry.sensors()[1].information.firmware, QString());
+        information.number = 99;
+        registry.setInformation(information); // of nobody
+    }
 };
 
 QTEST_GUILESS_MAIN(TestSensorRegistry)

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QByteArray>
+
+#include <arpa/inet.h>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace gorizont::test {
+
+/// A bare non-blocking socket for what QTcpSocket is too polite to do: never read, keep a descriptor for later.
+class RawSocket
+{
+public:
+    RawSocket()
+        : m_fd(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0))
+    {
+    }
+    ~RawSocket() { close(); }
+    RawSocket(const RawSocket &) = delete;
+    RawSocket &operator=(const RawSocket &) = delete;
+
+    int fd() const { return m_fd; }
+
+    void setReceiveBuffer(int bytes) { ::setsockopt(m_fd, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof bytes); }
+
+    /// The other end gets a reset instead of an end.
+    void resetOnClose()
+    {
+        const linger hard{1, 0};
+        ::setsockopt(m_fd, SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
+    }
+
+    /// To 127.0.0.1; whether the connection is made or on its way.
+    bool connect(quint16 port)
+    {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        return ::connect(m_fd, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0
+            || errno == EINPROGRESS;
+    }
+
+    /// How many bytes were taken; 0: none now; −1: the connection is gone.
+    ssize_t send(const QByteArray &bytes)
+    {
+        const ssize_t count = ::send(m_fd, bytes.constData(), static_cast<std::size_t>(bytes.size()), MSG_NOSIGNAL);
+        return count < 0 && errno == EAGAIN ? 0 : count;
+    }
+
+    QByteArray receive()
+    {
+        char buffer[65536];
+        const ssize_t count = ::recv(m_fd, buffer, sizeof buffer, 0);
+        return count > 0 ? QByteArray(buffer, count) : QByteArray();
+    }
+
+    /// The other end has closed or reset the connection. Consumes nothing but the news.
+    bool isGone()
+    {
+        char byte = 0;
+        const ssize_t count = ::recv(m_fd, &byte, 1, MSG_PEEK);
+        return count == 0 || (count < 0 && errno != EAGAIN);
+    }
+
+    void close()
+    {
+        if (m_fd >= 0) {
+            ::close(m_fd);
+        }
+        m_fd = -1;
+    }
+
+private:
+    int m_fd;
+};
+
+} // namespace gorizont::test
