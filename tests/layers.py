@@ -24,6 +24,8 @@ ROOMS = {
     "core/net": ["core/values"],
     "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
+    "core/mqtt": ["core/values", "core/files", "core/config", "core/registry"],
+    "core/metrics": ["core/values", "core/config", "core/registry"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
     "ui/service": [
