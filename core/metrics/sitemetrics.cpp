@@ -32,12 +32,14 @@ Labels with(Labels labels, const char *name, const QString &value)
     return labels;
 }
 
-struct PortCounter
+template <typename Counts> struct Counter
 {
     const char *name;
     const char *help;
-    quint64 LineStatus::*count;
+    quint64 Counts::*count;
 };
+using PortCounter = Counter<LineStatus>;
+using SensorCounter = Counter<SensorCounters>;
 
 constexpr std::array portCounters{
     PortCounter{"gorizont_port_sent_bytes_total", "Bytes written to the port.", &LineStatus::bytesSent},
@@ -80,13 +82,6 @@ MetricFamilies portMetrics(const SiteSnapshot &site)
     families.append(states);
     return families;
 }
-
-struct SensorCounter
-{
-    const char *name;
-    const char *help;
-    quint64 SensorCounters::*count;
-};
 
 constexpr std::array sensorCounters{
     SensorCounter{"gorizont_sensor_answers_total", "Good answers of the sensor.", &SensorCounters::answers},

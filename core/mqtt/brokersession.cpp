@@ -297,9 +297,8 @@ QString BrokerSession::detailOf(int outcome) const
 
 void BrokerSession::end(BrokerTrouble trouble, const QString &detail)
 {
-    const QString words = detail; // drop() may clear it
     drop();
-    Q_EMIT ended(trouble, words);
+    Q_EMIT ended(trouble, detail);
 }
 
 void BrokerSession::close(const QByteArray &lastWords)

@@ -22,9 +22,9 @@ public:
 
     struct Limits
     {
-        qint64 bytes = 64 * 1024 * 1024; ///< on the disk
-        qint64 segmentBytes = 1024 * 1024; ///< what goes at once when there is no room
-        qsizetype memoryBytes = 4 * 1024 * 1024; ///< that the disk did not take
+        qint64 bytes = 64 << 20; ///< on the disk
+        qint64 segmentBytes = 1 << 20; ///< what goes at once when there is no room
+        qsizetype memoryBytes = 4 << 20; ///< that the disk did not take
         std::chrono::milliseconds retry{3000}; ///< after a failure the disk is asked this often
 
         static Limits of(qint64 bytes);

@@ -47,7 +47,7 @@ SiteSnapshot site()
     good.temperature = 21.38;
     good.heaterPower = 25;
     good.fanFrequency = 40.5;
-    good.acceleration = AccelStatistics{7.5, 0, -7.5, 270, 2.0616, 0.5, 2};
+    good.acceleration = AccelStatistics{7.5, 0, -7.5, 270, 5.3852, 5, 2};
     good.counters = {17, 5, 6};
     good.period = 1002ms;
     good.exchange = 31ms;
