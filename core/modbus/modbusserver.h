@@ -7,7 +7,7 @@
 
 namespace gorizont {
 
-/// Serves units 3 and 6 over Modbus TCP (manual 000, section 10; spec/gorizont.md, section 6). Servers thread.
+/// Serves units 1, 3 and 6 over Modbus TCP (manual 000, section 10; spec/gorizont.md, section 6). Servers thread.
 ///
 /// QModbusServer is Qt's base for a transport of one's own; QModbusTcpServer is not used: it answers one unit only,
 /// hangs for good on a request of seven bytes, buffers without limit and leaks. The requests do not pass through the

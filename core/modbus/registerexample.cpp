@@ -136,7 +136,7 @@ QString answerTable(const Question &question, QByteArrayView answer)
         const int at = 9 + 2 * (question.start + field.offset - question.address);
         const QString value = valueText(field, field.value(question.state).value_or(0));
         table.add(
-            {hexOf(answer.sliced(at, 2 * registerCount(field.type))),
+            {hexOf(answer.sliced(at, 2 * qsizetype{registerCount(field.type)})),
              QStringLiteral("`%1` = %2").arg(QLatin1String(field.name), value)});
     }
     return table.text();
@@ -146,7 +146,7 @@ QString answerTable(const Question &question, QByteArrayView answer)
 
 QString byteOrder(RegisterType type, RegisterOrder order)
 {
-    QString letters = QStringLiteral("ABCDEFGH").first(2 * registerCount(type));
+    QString letters = QStringLiteral("ABCDEFGH").first(2 * qsizetype{registerCount(type)});
     if (order == RegisterOrder::LowByteFirst) {
         std::reverse(letters.begin(), letters.end());
     }
