@@ -12,6 +12,7 @@ DEVICES = "core/devices"
 # room: what it may include beside itself
 ROOMS = {
     "core/values": [],
+    "core/files": [],
     "core/config": ["core/values"],
     "core/protocol": ["core/values"],
     "core/line": ["core/values", "core/protocol"],
@@ -19,10 +20,12 @@ ROOMS = {
     "core/engine": ["core/values", "core/line", "core/devices/driver.h", "core/devices/drivercatalog.h"],
     "core/registry": ["core/values"],
     "core/alarms": ["core/values", "core/config", "core/registry"],
-    "core/history": ["core/values", "core/config", "core/registry"],
+    "core/history": ["core/values", "core/files", "core/config", "core/registry"],
     "core/net": ["core/values"],
     "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
+    "core/mqtt": ["core/values", "core/files", "core/config", "core/registry"],
+    "core/metrics": ["core/values", "core/config", "core/registry"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
     "ui/service": [

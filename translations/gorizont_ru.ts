@@ -145,10 +145,100 @@
     </message>
 </context>
 <context>
+    <name>Metrics</name>
+    <message>
+        <source>Another program uses this port. Stop that program or choose another Port in [Metrics].</source>
+        <translation>Этот порт занят другой программой. Закройте её или выберите другой Port в [Metrics].</translation>
+    </message>
+    <message>
+        <source>Ports below 1024 need a right. Choose another Port in [Metrics].</source>
+        <translation>Для портов ниже 1024 нужно особое право. Выберите другой Port в [Metrics].</translation>
+    </message>
+    <message>
+        <source>This computer does not have the address given in Bind of [Metrics].</source>
+        <translation>У этого компьютера нет адреса, указанного в Bind секции [Metrics].</translation>
+    </message>
+    <message>
+        <source>Check Port and Bind in [Metrics].</source>
+        <translation>Проверьте Port и Bind в [Metrics].</translation>
+    </message>
+    <message>
+        <source>Metrics: &quot;%1&quot; in Bind of [Metrics] is not an IP address. Not serving until it is corrected.</source>
+        <translation>Метрики: «%1» в Bind секции [Metrics] — не IP-адрес. Сервер не работает, пока это не исправлено.</translation>
+    </message>
+    <message>
+        <source>Metrics: serving http://%1:%2/metrics.</source>
+        <translation>Метрики: доступны по адресу http://%1:%2/metrics.</translation>
+    </message>
+    <message>
+        <source>Metrics: cannot serve on port %1 (%2). %3 Trying again every %4 s.</source>
+        <translation>Метрики: порт %1 открыть не удалось (%2). %3 Попытки повторяются каждые %4 с.</translation>
+    </message>
+</context>
+<context>
     <name>Modbus</name>
     <message>
         <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are not served there.</source>
         <translation>Modbus TCP: датчикам (%1 шт., первый из них N=%2) не хватает места ниже регистра 65536 в устройстве %3, там они не передаются.</translation>
+    </message>
+</context>
+<context>
+    <name>Mqtt</name>
+    <message>
+        <source>MQTT: no address is known for %1 (%2). Check Host in [MQTT] and the name server.</source>
+        <translation>MQTT: для узла %1 не найден адрес (%2). Проверьте Host в [MQTT] и сервер имён.</translation>
+    </message>
+    <message>
+        <source>MQTT: the broker %1 cannot be reached (%2). Check Host, Port and TLS in [MQTT], and the network.</source>
+        <translation>MQTT: брокер %1 недоступен (%2). Проверьте Host, Port и TLS в [MQTT], а также сеть.</translation>
+    </message>
+    <message>
+        <source>MQTT: the broker %1 does not answer. Check Host, Port and TLS in [MQTT], and the network.</source>
+        <translation>MQTT: брокер %1 не отвечает. Проверьте Host, Port и TLS в [MQTT], а также сеть.</translation>
+    </message>
+    <message>
+        <source>MQTT: a file named in [MQTT] cannot be read: %1. Check its name and its rights.</source>
+        <translation>MQTT: файл, указанный в [MQTT], не читается: %1. Проверьте его имя и права доступа.</translation>
+    </message>
+    <message>
+        <source>MQTT: no encrypted connection to the broker %1 (%2). Check Port and the certificates in [MQTT].</source>
+        <translation>MQTT: защищённое соединение с брокером %1 не установлено (%2). Проверьте Port и сертификаты в [MQTT].</translation>
+    </message>
+    <message>
+        <source>MQTT: the certificate of the broker %1 is not trusted (%2). CAFile in [MQTT] has to hold who signed it, Host the name it is for.</source>
+        <translation>MQTT: сертификату брокера %1 нет доверия (%2). В [MQTT] ключ CAFile должен указывать сертификат того, кто его подписал, а Host — имя, на которое он выдан.</translation>
+    </message>
+    <message>
+        <source>MQTT: the broker %1 does not accept user and password. Check User and PasswordFile in [MQTT].</source>
+        <translation>MQTT: брокер %1 не принимает имя пользователя и пароль. Проверьте User и PasswordFile в [MQTT].</translation>
+    </message>
+    <message>
+        <source>MQTT: the broker %1 lets nobody in as this user. Check User and PasswordFile in [MQTT], and the rights given in the broker.</source>
+        <translation>MQTT: брокер %1 не допускает этого пользователя. Проверьте User и PasswordFile в [MQTT] и права, заданные в брокере.</translation>
+    </message>
+    <message>
+        <source>MQTT: the broker %1 rejects the connection (%2).</source>
+        <translation>MQTT: брокер %1 отклоняет соединение (%2).</translation>
+    </message>
+    <message>
+        <source>MQTT: the connection to the broker %1 is lost (%2).</source>
+        <translation>MQTT: соединение с брокером %1 потеряно (%2).</translation>
+    </message>
+    <message>
+        <source>MQTT: connected to the broker %1.</source>
+        <translation>MQTT: соединение с брокером %1 установлено.</translation>
+    </message>
+    <message>
+        <source>Readings that wait and are sent first: %1.</source>
+        <translation>Сначала передаются накопленные измерения: %1.</translation>
+    </message>
+    <message>
+        <source>Readings are kept on the disk until they can be sent.</source>
+        <translation>Измерения накапливаются на диске, пока их нельзя передать.</translation>
+    </message>
+    <message>
+        <source>MQTT: disk or name server were busy for too long, readings that were not kept: %1.</source>
+        <translation>MQTT: диск или сервер имён слишком долго были заняты, не сохранено измерений: %1.</translation>
     </message>
 </context>
 <context>
@@ -1149,6 +1239,30 @@
     <message>
         <source>The site has no accelerometer with number %1.</source>
         <translation>На объекте нет акселерометра с номером %1.</translation>
+    </message>
+    <message>
+        <source>It is not used.</source>
+        <translation>Значение не используется.</translation>
+    </message>
+    <message>
+        <source>TLS=0 needs no certificates.</source>
+        <translation>При TLS=0 сертификаты не нужны.</translation>
+    </message>
+    <message>
+        <source>CertFile and KeyFile belong together, one of them is missing.</source>
+        <translation>CertFile и KeyFile указываются вместе, одного из них нет.</translation>
+    </message>
+    <message>
+        <source>PasswordFile gives the password already.</source>
+        <translation>Пароль уже задан ключом PasswordFile.</translation>
+    </message>
+    <message>
+        <source>%1 has a # or a +, which topics must not have.</source>
+        <translation>%1 содержит # или +, которых в топиках быть не должно.</translation>
+    </message>
+    <message>
+        <source>The default is used.</source>
+        <translation>Используется значение по умолчанию.</translation>
     </message>
 </context>
 <context>
@@ -2171,6 +2285,10 @@
         <source>Gorizont Server ended</source>
         <translation>Gorizont Server завершён</translation>
     </message>
+    <message>
+        <source>Another copy of the program sends from %1 to the MQTT broker: this copy does not send.</source>
+        <translation>Из папки %1 брокеру MQTT передаёт другая копия программы: эта копия не передаёт.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::AttentionBanner</name>
@@ -3016,6 +3134,33 @@
     <message>
         <source>No measurement yet: a line comes every %1 s.</source>
         <translation>Измерений пока нет: строка добавляется каждые %1 с.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::MessageQueue</name>
+    <message>
+        <source>MQTT: the queue did not end with a whole reading; what was unfinished has been removed.</source>
+        <translation>MQTT: очередь заканчивалась неполным измерением; незаконченное удалено.</translation>
+    </message>
+    <message>
+        <source>MQTT: the queue is not being saved: %1. Readings wait in memory, and it is tried again every few seconds.</source>
+        <translation>MQTT: очередь не сохраняется: %1. Измерения ждут в памяти, попытки повторяются каждые несколько секунд.</translation>
+    </message>
+    <message>
+        <source>MQTT: the queue is being saved again.</source>
+        <translation>MQTT: очередь снова сохраняется.</translation>
+    </message>
+    <message>
+        <source>MQTT: the queue is full. The oldest readings are lost until the broker takes them again; QueueLimit in [MQTT] makes it longer.</source>
+        <translation>MQTT: очередь заполнена. Самые старые измерения теряются, пока брокер не начнёт их принимать; увеличить очередь можно ключом QueueLimit в [MQTT].</translation>
+    </message>
+    <message>
+        <source>MQTT: the queue on the disk is damaged, readings in it are lost: %1.</source>
+        <translation>MQTT: очередь на диске повреждена, потеряно измерений: %1.</translation>
+    </message>
+    <message>
+        <source>MQTT: lost because the queue was full, readings: %1.</source>
+        <translation>MQTT: из-за переполнения очереди потеряно измерений: %1.</translation>
     </message>
 </context>
 <context>

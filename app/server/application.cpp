@@ -1,5 +1,6 @@
 #include "app/server/application.h"
 
+#include "app/server/feeds.h"
 #include "app/server/readingprinter.h"
 #include "core/adc24/adc24server.h"
 #include "core/history/historywriter.h"
@@ -57,6 +58,9 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     m_printerThread.setObjectName(QStringLiteral("printer"));
     connect(&m_alarms, &AlarmWatch::journal, &m_journal, &Journal::append);
     makeHistory();
+    m_feeds = std::make_unique<Feeds>(Feeds::Site{
+        m_settings.config, m_settings.dataFolder, m_settings.ownsDataFolder, m_registry, m_journal, *m_history,
+        m_serversThread});
     if (settings.config.servesModbus) {
         makeModbus();
     }
@@ -135,7 +139,9 @@ void Application::connectDesk(ClientDesk &desk)
     connect(&desk, &ClientDesk::journal, &m_journal, &Journal::append);
     connect(&desk, &ClientDesk::clientsChanged, this, [this, service = desk.service()](const QList<ClientInfo> &all) {
         Q_EMIT clientsChanged(service, all);
+        m_feeds->setClients(service, all.size());
     });
+    m_feeds->setClients(desk.service(), 0);
     m_desks.push_back(&desk);
 }
 
@@ -166,6 +172,7 @@ void Application::start()
     m_journal.add(JournalKind::On, tr("Gorizont Server %1 started").arg(QStringLiteral(GORIZONT_VERSION)));
     tellComplaints();
     m_serversThread.start();
+    m_feeds->start();
     m_printerThread.start();
     // TmStart: files and servers get ready before the first reading.
     QTimer::singleShot(m_settings.config.timing.start, this, [this] {
@@ -184,6 +191,12 @@ void Application::tellComplaints()
         m_journal.add(
             JournalKind::Error,
             tr("Another copy of the program writes into %1: this copy does not save. Give it a folder of its own.")
+                .arg(QDir::toNativeSeparators(m_settings.dataFolder)));
+    }
+    if (m_settings.config.mqtt.isOn() && !m_settings.ownsDataFolder) {
+        m_journal.add(
+            JournalKind::Error,
+            tr("Another copy of the program sends from %1 to the MQTT broker: this copy does not send.")
                 .arg(QDir::toNativeSeparators(m_settings.dataFolder)));
     }
 }
@@ -209,6 +222,7 @@ bool Application::shutdown()
     const QDeadlineTimer deadline(m_settings.config.timing.exitLimit);
     m_serversThread.quit();
     m_printerThread.quit();
+    m_feeds->stop();
     // A line that hangs in the system must leave time for the files.
     bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit * 3 / 4);
     m_journal.add(JournalKind::Off, tr("Gorizont Server ended"));
@@ -216,7 +230,7 @@ bool Application::shutdown()
         thread->quit();
         haveAllEnded = thread->wait(deadline) && haveAllEnded;
     }
-    return haveAllEnded;
+    return m_feeds->wait(deadline) && haveAllEnded;
 }
 
 } // namespace gorizont

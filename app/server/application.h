@@ -16,6 +16,7 @@ namespace gorizont {
 
 class Adc24Server;
 class ClientDesk;
+class Feeds;
 class HistoryWriter;
 class ModbusServer;
 class ReadingPrinter;
@@ -84,6 +85,7 @@ private:
     QThread m_serversThread;
     QThread m_printerThread;
     std::unique_ptr<HistoryWriter> m_history;
+    std::unique_ptr<Feeds> m_feeds; ///< MQTT and metrics
     std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
     std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer
     std::vector<ClientDesk *> m_desks; ///< of the servers above, which own them

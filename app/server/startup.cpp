@@ -31,6 +31,16 @@ QString dataFolder(const Options &options, const QString &configFile)
     return QFileInfo(configFile).absolutePath();
 }
 
+/// Files that the ini names lie beside it unless it says otherwise.
+void resolveFiles(MqttSettings &mqtt, const QString &folder)
+{
+    for (QString *path : {&mqtt.caFile, &mqtt.certFile, &mqtt.keyFile, &mqtt.passwordFile}) {
+        if (!path->isEmpty()) {
+            *path = QDir(folder).absoluteFilePath(*path);
+        }
+    }
+}
+
 } // namespace
 
 QString findConfigFile(const Options &options)
@@ -71,6 +81,7 @@ std::optional<Site> loadSite(const Options &options, const QString &configFile, 
         return std::nullopt;
     }
     site.reading = *std::move(reading);
+    resolveFiles(site.reading.config.mqtt, QFileInfo(configFile).absolutePath());
     site.configFile = options.isDemo ? configFile : QFileInfo(configFile).absoluteFilePath();
     const QString folder = dataFolder(options, configFile);
     if (!QDir().mkpath(folder)) {

@@ -1,6 +1,7 @@
 #include "core/config/serverconfig.h"
 
 #include "core/config/claims.h"
+#include "core/config/feedsettingsreader.h"
 #include "core/config/lineconfigreader.h"
 #include "core/config/sectionreader.h"
 #include "core/config/timingreader.h"
@@ -189,6 +190,8 @@ ConfigReading readServerConfig(const IniFile &file)
     readServers(common, config);
     settlePorts(common, config);
     readStorage(common, config);
+    config.mqtt = readMqttSettings(file, findings);
+    config.metrics = readMetricsSettings(file, findings);
     config.timing = readTiming(file, findings);
     config.lines = readLines(file, findings);
     settleClaims(config.lines, file, findings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/config/feedsettings.h"
 #include "core/values/lineconfig.h"
 #include "core/values/timing.h"
 
@@ -65,6 +66,8 @@ struct ServerConfig
     int adc24Sensor = 0; ///< [ADC24] Sensor: N of an accelerometer; 0: the first
     Adc24Axis adc24Axis = Adc24Axis::X; ///< [ADC24] Axis
 
+    MqttSettings mqtt;
+    MetricsSettings metrics;
     Timing timing;
     QList<LineConfig> lines; ///< in the order of the sections; what is off is listed too
 

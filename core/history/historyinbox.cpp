@@ -2,6 +2,7 @@
 
 #include <QMutexLocker>
 
+#include <numeric>
 #include <utility>
 
 namespace gorizont {
@@ -48,6 +49,12 @@ HistoryInbox::Contents HistoryInbox::take()
     m_isWriterWoken = false;
     m_samples.clear();
     return std::exchange(m_contents, {});
+}
+
+HistoryInbox::Backlog HistoryInbox::backlog() const
+{
+    const QMutexLocker lock(&m_mutex);
+    return {std::accumulate(m_samples.begin(), m_samples.end(), qsizetype{0}), m_contents.entries.size()};
 }
 
 void HistoryInbox::dropOldSamples(QList<SampleBlock> &blocks, qsizetype &kept)

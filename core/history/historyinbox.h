@@ -27,6 +27,13 @@ public:
         qsizetype entriesDropped = 0;
     };
 
+    /// How much waits.
+    struct Backlog
+    {
+        qsizetype samples = 0;
+        qsizetype entries = 0;
+    };
+
     /// \a mostSamples: of one sensor.
     explicit HistoryInbox(qsizetype mostSamples)
         : m_mostSamples(mostSamples)
@@ -42,12 +49,13 @@ public:
 
     /// Everything; the inbox is empty then.
     Contents take();
+    Backlog backlog() const;
 
 private:
     void dropOldSamples(QList<SampleBlock> &blocks, qsizetype &kept);
 
     const qsizetype m_mostSamples;
-    QMutex m_mutex;
+    mutable QMutex m_mutex;
     Contents m_contents;
     QHash<int, qsizetype> m_samples; ///< N → how many samples wait
     bool m_isWriterWoken = false;

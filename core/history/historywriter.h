@@ -25,6 +25,9 @@ public:
 
     explicit HistoryWriter(const HistoryConfig &config, Clock clock = utcNow, QObject *parent = nullptr);
 
+    /// What waits for the disk; for any thread.
+    HistoryInbox::Backlog backlog() const { return m_inbox.backlog(); }
+
 public Q_SLOTS:
     void updateReadings(const QList<gorizont::Reading> &batch);
     void updateLine(const gorizont::LineStatus &status);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/history/appendfile.h"
+#include "core/files/appendfile.h"
 
 #include <utility>
 

@@ -10,12 +10,6 @@ namespace gorizont {
 
 namespace {
 
-QString isoTime(UtcTime time)
-{
-    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
-    return QDateTime::fromMSecsSinceEpoch(ms.count(), Qt::UTC).toString(Qt::ISODateWithMs);
-}
-
 void insertValues(QJsonObject &object, const Reading &reading)
 {
     if (reading.tilt && isTiltValid(reading.status)) {
@@ -43,6 +37,12 @@ void insertValues(QJsonObject &object, const Reading &reading)
 }
 
 } // namespace
+
+QString isoTime(UtcTime time)
+{
+    const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
+    return QDateTime::fromMSecsSinceEpoch(ms.count(), Qt::UTC).toString(Qt::ISODateWithMs);
+}
 
 QByteArray readingToJson(const Reading &reading, const SensorConfig &sensor, const LineConfig &line)
 {

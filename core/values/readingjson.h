@@ -4,6 +4,7 @@
 #include "core/values/reading.h"
 
 #include <QByteArray>
+#include <QString>
 
 namespace gorizont {
 
@@ -12,5 +13,8 @@ namespace gorizont {
 /// `status`, and of what is valid in this reading `tiltX`, `tiltY` (arc-seconds), `temperature` (°C), `heaterPower` (%),
 /// `fanFrequency` (1/s), `accelMax`, `accelRmsX`, `accelRmsY` (mm/s²), `accelDirection` (degrees), `rawStatus`.
 QByteArray readingToJson(const Reading &reading, const SensorConfig &sensor, const LineConfig &line);
+
+/// ISO 8601, UTC, ms: `2018-02-07T15:33:03.250Z`.
+QString isoTime(UtcTime time);
 
 } // namespace gorizont

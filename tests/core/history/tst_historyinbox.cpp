@@ -17,6 +17,7 @@ private Q_SLOTS:
     void oneBlockOverTheLimitIsKept();
     void oldestEventsAreDropped();
     void writerIsWokenOnce();
+    void tellsHowMuchWaits();
 };
 
 void TestHistoryInbox::onlyTheLastReadingOfEachSensorIsKept()
@@ -94,6 +95,21 @@ void TestHistoryInbox::writerIsWokenOnce()
     QVERIFY(!inbox.put(samples(1, {}, 0, 1)));
     (void)inbox.take();
     QVERIFY(inbox.put(samples(1, {}, 0, 1)));
+}
+
+void TestHistoryInbox::tellsHowMuchWaits()
+{
+    HistoryInbox inbox(64);
+    const UtcTime start = moscow("2018-02-07T18:33:03");
+    QCOMPARE(inbox.backlog().samples, 0);
+    QVERIFY(inbox.put(samples(1, start, 0, 32)));
+    QVERIFY(!inbox.put(samples(2, start, 0, 10)));
+    QVERIFY(!inbox.put(JournalEntry{JournalKind::Info, start, QStringLiteral("text")}));
+    QCOMPARE(inbox.backlog().samples, 42);
+    QCOMPARE(inbox.backlog().entries, 1);
+    inbox.take();
+    QCOMPARE(inbox.backlog().samples, 0);
+    QCOMPARE(inbox.backlog().entries, 0);
 }
 
 QTEST_GUILESS_MAIN(TestHistoryInbox)

@@ -1,4 +1,4 @@
-#include "core/history/appendfile.h"
+#include "core/files/appendfile.h"
 
 #include <QCoreApplication>
 #include <QDir>
