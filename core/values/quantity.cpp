@@ -1,0 +1,75 @@
+#include "core/values/quantity.h"
+
+#include "core/values/statusword.h"
+
+namespace gorizont {
+
+namespace {
+
+std::optional<double> accelerationOf(const AccelStatistics &acceleration, Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::AccelMaximum: return acceleration.maximum;
+    case Quantity::AccelMaximumX: return acceleration.maximumX;
+    case Quantity::AccelMaximumY: return acceleration.maximumY;
+    case Quantity::AccelRms: return acceleration.rms;
+    case Quantity::AccelRmsX: return acceleration.rmsX;
+    case Quantity::AccelRmsY: return acceleration.rmsY;
+    case Quantity::AccelDirection: return acceleration.direction;
+    default: return {};
+    }
+}
+
+} // namespace
+
+const QList<Quantity> &readingQuantities()
+{
+    static const QList<Quantity> all{
+        Quantity::TiltX,        Quantity::TiltY,        Quantity::Temperature,   Quantity::HeaterPower,
+        Quantity::FanFrequency, Quantity::AccelMaximum, Quantity::AccelMaximumX, Quantity::AccelMaximumY,
+        Quantity::AccelRms,     Quantity::AccelRmsX,    Quantity::AccelRmsY,     Quantity::AccelDirection,
+    };
+    return all;
+}
+
+std::optional<double> valueOf(const Reading &reading, Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::TiltX:
+    case Quantity::TiltY:
+        if (!reading.tilt || !isTiltValid(reading.status)) {
+            return {};
+        }
+        return quantity == Quantity::TiltX ? reading.tilt->x : reading.tilt->y;
+    case Quantity::Temperature: return isTemperatureValid(reading.status) ? reading.temperature : std::nullopt;
+    case Quantity::HeaterPower: return reading.heaterPower;
+    case Quantity::FanFrequency: return reading.fanFrequency;
+    default:
+        if (!reading.acceleration || !isAccelerationValid(reading.status)) {
+            return {};
+        }
+        return accelerationOf(*reading.acceleration, quantity);
+    }
+}
+
+QList<Quantity> quantitiesOf(const SensorConfig &sensor)
+{
+    QList<Quantity> quantities;
+    if (sensor.measuresTilt) {
+        quantities << Quantity::TiltX << Quantity::TiltY;
+    }
+    if (sensor.measuresTemperature) {
+        quantities << Quantity::Temperature;
+    }
+    if (sensor.hasThermostat) {
+        quantities << Quantity::HeaterPower << Quantity::FanFrequency;
+    }
+    if (sensor.measuresAcceleration) {
+        quantities << Quantity::AccelMaximum << Quantity::AccelMaximumX << Quantity::AccelMaximumY << Quantity::AccelRms
+                   << Quantity::AccelRmsX << Quantity::AccelRmsY << Quantity::AccelDirection << Quantity::SampleX
+                   << Quantity::SampleY;
+    }
+    return quantities;
+}
+
+} // namespace gorizont
