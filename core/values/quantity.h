@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/values/reading.h"
+#include "core/values/sensorconfig.h"
 
 #include <QList>
 
