@@ -902,6 +902,26 @@
         <source>Angles of tilt</source>
         <translation>Углы наклона</translation>
     </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Displacement along X over the sensor&apos;s link of a chain</source>
+        <translation>Перемещение по X на звене цепочки, где стоит датчик</translation>
+    </message>
+    <message>
+        <source>Displacement along Y over the sensor&apos;s link of a chain</source>
+        <translation>Перемещение по Y на звене цепочки, где стоит датчик</translation>
+    </message>
+    <message>
+        <source>Displacement along X over the foot of the chain</source>
+        <translation>Перемещение по X относительно основания цепочки</translation>
+    </message>
+    <message>
+        <source>Displacement along Y over the foot of the chain</source>
+        <translation>Перемещение по Y относительно основания цепочки</translation>
+    </message>
 </context>
 <context>
     <name>SensorPage</name>
@@ -1263,6 +1283,26 @@
     <message>
         <source>The default is used.</source>
         <translation>Используется значение по умолчанию.</translation>
+    </message>
+    <message>
+        <source>The chain is left out.</source>
+        <translation>Цепочка не используется.</translation>
+    </message>
+    <message>
+        <source>The site has no tilt sensor with number %1.</source>
+        <translation>На объекте нет датчика наклона с номером %1.</translation>
+    </message>
+    <message>
+        <source>Sensor %1 stands in a chain already.</source>
+        <translation>Датчик %1 уже стоит в цепочке.</translation>
+    </message>
+    <message>
+        <source>The chain has no links.</source>
+        <translation>В цепочке нет звеньев.</translation>
+    </message>
+    <message>
+        <source>The length L%1 of link %1, in metres, is missing.</source>
+        <translation>Не задана длина L%1 звена %1 в метрах.</translation>
     </message>
 </context>
 <context>

@@ -64,6 +64,7 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     m_storageThread.setObjectName(QStringLiteral("storage"));
     m_serversThread.setObjectName(QStringLiteral("servers"));
     m_printerThread.setObjectName(QStringLiteral("printer"));
+    m_registry.setChains(settings.config.chains);
     connect(&m_alarms, &AlarmWatch::journal, &m_journal, &Journal::append);
     makeHistory();
     m_feeds = std::make_unique<Feeds>(Feeds::Site{

@@ -104,18 +104,19 @@ bool SectionReader::take(const QString &key, int &value, Range range, const QStr
     return false;
 }
 
-void SectionReader::take(const QString &key, double &value, Range range)
+bool SectionReader::take(const QString &key, double &value, Range range, const QString &action)
 {
     const auto entry = find(key);
     if (!entry) {
-        return;
+        return true;
     }
     const Number number = realNumber(entry->value, range);
-    if (number.problem.isEmpty()) {
-        value = number.value;
-    } else {
-        refuse(key, *entry, number.problem, defaultIsUsed(QString::number(value)));
+    if (!number.problem.isEmpty()) {
+        refuse(key, *entry, number.problem, action.isEmpty() ? defaultIsUsed(QString::number(value)) : action);
+        return false;
     }
+    value = number.value;
+    return true;
 }
 
 void SectionReader::take(const QString &key, std::chrono::milliseconds &value, Range range)

@@ -33,7 +33,8 @@ public:
     void take(const QString &key, std::chrono::seconds &value, Range range);
     /// False: the key is there and cannot be used. \a action says what is done then; empty: the default is used.
     bool take(const QString &key, int &value, Range range, const QString &action = {});
-    void take(const QString &key, double &value, Range range);
+    /// As above.
+    bool take(const QString &key, double &value, Range range, const QString &action = {});
 
     template <typename T> void take(const QString &key, T &value, const QList<Choice<T>> &choices)
     {

@@ -1,5 +1,6 @@
 #include "core/config/serverconfig.h"
 
+#include "core/config/chainreader.h"
 #include "core/config/claims.h"
 #include "core/config/feedsettingsreader.h"
 #include "core/config/lineconfigreader.h"
@@ -196,6 +197,7 @@ ConfigReading readServerConfig(const IniFile &file)
     config.lines = readLines(file, findings);
     settleClaims(config.lines, file, findings);
     readAdc24(file, findings, config);
+    config.chains = readChains(file, config.lines, findings);
     complainOfRepetitions(file, findings);
     config.replaced = findings.replaced();
     return {config, findings.complaints()};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/config/feedsettings.h"
+#include "core/values/displacement.h"
 #include "core/values/lineconfig.h"
 #include "core/values/timing.h"
 
@@ -69,6 +70,7 @@ struct ServerConfig
     MqttSettings mqtt;
     MetricsSettings metrics;
     Timing timing;
+    QList<ChainConfig> chains; ///< in ascending index; what cannot be used is left out
     QList<LineConfig> lines; ///< in the order of the sections; what is off is listed too
 
     /// Values that the file gave and the program could not use, for <Настройки>: `section/key`, lower case → as

@@ -62,6 +62,15 @@ template <quint64 RingProgress::*member> Value packets(const SlotState &s)
 {
     return s.reading.ring ? wrapped((*s.reading.ring).*member) : 0;
 }
+template <double Displacement::*member> Value ownDisplacement(const SlotState &s)
+{
+    return hasTilt(s) && s.reading.displacement ? s.reading.displacement->own.*member : absent;
+}
+template <double Displacement::*member> Value displacement(const SlotState &s)
+{
+    return hasTilt(s) && s.reading.displacement && s.reading.displacement->sum ? (*s.reading.displacement->sum).*member
+                                                                               : absent;
+}
 template <std::chrono::microseconds Reading::*member> Value turn(const SlotState &s)
 {
     return (s.reading.*member).count() > 0 ? seconds(s.reading.*member) : absent;
@@ -167,7 +176,7 @@ constexpr std::array<SlotField, 3> directory{{
     {3, UInt16, 1, "flags", "", QT_TRANSLATE_NOOP("RegisterMap", "Flags of the slot"), flags},
 }};
 
-constexpr std::array<SlotField, 32> block{{
+constexpr std::array<SlotField, 36> block{{
     {0, UInt32, 1, "number", "", QT_TRANSLATE_NOOP("RegisterMap", "Site number N; 0: an empty slot"), number},
     {2, UInt16, 1, "port", "", QT_TRANSLATE_NOOP("RegisterMap", "Number of the port in the ini, 1…16"),
      [](const SlotState &s) { return Value(s.slot.sensor.port); }},
@@ -230,6 +239,18 @@ constexpr std::array<SlotField, 32> block{{
      QT_TRANSLATE_NOOP("RegisterMap", "Between the last two turns"), turn<&Reading::period>},
     {62, Float32, 1, "exchange", QT_TRANSLATE_NOOP("RegisterMap", "s"),
      QT_TRANSLATE_NOOP("RegisterMap", "How long the last turn took"), turn<&Reading::exchange>},
+    {64, Float32, 1, "link_x", QT_TRANSLATE_NOOP("RegisterMap", "mm"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Displacement along X over the sensor's link of a chain"),
+     ownDisplacement<&Displacement::x>},
+    {66, Float32, 1, "link_y", QT_TRANSLATE_NOOP("RegisterMap", "mm"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Displacement along Y over the sensor's link of a chain"),
+     ownDisplacement<&Displacement::y>},
+    {68, Float32, 1, "displacement_x", QT_TRANSLATE_NOOP("RegisterMap", "mm"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Displacement along X over the foot of the chain"),
+     displacement<&Displacement::x>},
+    {70, Float32, 1, "displacement_y", QT_TRANSLATE_NOOP("RegisterMap", "mm"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Displacement along Y over the foot of the chain"),
+     displacement<&Displacement::y>},
 }};
 
 static_assert(areApart(head, directoryStart) && areApart(directory, directoryStride) && areApart(block, blockStride));

@@ -65,7 +65,57 @@ void SensorRegistry::update(const QList<Reading> &batch)
             m_sensors[static_cast<std::size_t>(index)].reading = reading;
         }
     }
-    Q_EMIT readingsChanged(batch);
+    if (m_chains.isEmpty()) {
+        Q_EMIT readingsChanged(batch);
+        return;
+    }
+    Readings placed = batch;
+    for (Reading &reading : placed) {
+        if (m_chainOfNumber.contains(reading.number)) {
+            reading.displacement = displacementOf(reading.number);
+            m_sensors[static_cast<std::size_t>(indexOf(reading.number))].reading.displacement = reading.displacement;
+        }
+    }
+    Q_EMIT readingsChanged(placed);
+}
+
+void SensorRegistry::setChains(const QList<ChainConfig> &chains)
+{
+    m_chains = chains;
+    m_chainOfNumber.clear();
+    for (qsizetype i = 0; i < chains.size(); ++i) {
+        for (const ChainLink &link : chains.at(i).links) {
+            if (indexOf(link.number) >= 0) {
+                m_chainOfNumber.insert(link.number, i);
+            }
+        }
+    }
+}
+
+std::optional<Tilt> SensorRegistry::tiltOf(int number) const
+{
+    const int index = indexOf(number);
+    if (index < 0) {
+        return {};
+    }
+    const Reading &reading = m_sensors[static_cast<std::size_t>(index)].reading;
+    return isTiltValid(reading.status) ? reading.tilt : std::nullopt;
+}
+
+std::vector<ChainNode> SensorRegistry::nodesOf(const ChainConfig &chain) const
+{
+    return chainNodes(chain, [this](int number) { return tiltOf(number); });
+}
+
+std::optional<LinkDisplacement> SensorRegistry::displacementOf(int number) const
+{
+    const std::vector<ChainNode> nodes = nodesOf(m_chains.at(m_chainOfNumber.value(number)));
+    const auto node =
+        std::find_if(nodes.begin(), nodes.end(), [number](const ChainNode &n) { return n.number == number; });
+    if (node == nodes.end() || !node->own) {
+        return {};
+    }
+    return LinkDisplacement{*node->own, node->sum};
 }
 
 void SensorRegistry::updateLine(const LineStatus &status)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/values/deviceinformation.h"
+#include "core/values/displacement.h"
 #include "core/values/lineconfig.h"
 #include "core/values/linestatus.h"
 #include "core/values/reading.h"
@@ -47,6 +48,13 @@ public:
     /// Index into lines() of section [Port\a port]; −1: there is none.
     int lineIndexOf(int port) const { return m_indexOfPort.value(port, -1); }
 
+    /// Before the first reading; a sensor stands in one chain at most. From then on the readings of its sensors say what
+    /// their tilt means there.
+    void setChains(const QList<ChainConfig> &chains);
+    const QList<ChainConfig> &chains() const { return m_chains; }
+    /// The nodes of \a chain by the last readings.
+    std::vector<ChainNode> nodesOf(const ChainConfig &chain) const;
+
     /// All readings as they are now, in ascending N: what a consumer starts from.
     Readings readings() const;
     QList<LineStatus> lineStatuses() const;
@@ -66,10 +74,15 @@ Q_SIGNALS:
     void blockAdded(const gorizont::SampleBlock &block);
 
 private:
+    std::optional<Tilt> tiltOf(int number) const;
+    std::optional<LinkDisplacement> displacementOf(int number) const;
+
     std::vector<Line> m_lines;
     std::vector<Sensor> m_sensors;
     QHash<int, int> m_indexOfNumber;
     QHash<int, int> m_indexOfPort;
+    QList<ChainConfig> m_chains;
+    QHash<int, qsizetype> m_chainOfNumber; ///< N → index into m_chains
 };
 
 } // namespace gorizont

@@ -25,9 +25,10 @@ std::optional<double> accelerationOf(const AccelStatistics &acceleration, Quanti
 const QList<Quantity> &readingQuantities()
 {
     static const QList<Quantity> all{
-        Quantity::TiltX,        Quantity::TiltY,        Quantity::Temperature,   Quantity::HeaterPower,
-        Quantity::FanFrequency, Quantity::AccelMaximum, Quantity::AccelMaximumX, Quantity::AccelMaximumY,
-        Quantity::AccelRms,     Quantity::AccelRmsX,    Quantity::AccelRmsY,     Quantity::AccelDirection,
+        Quantity::TiltX,         Quantity::TiltY,         Quantity::Temperature,   Quantity::HeaterPower,
+        Quantity::FanFrequency,  Quantity::AccelMaximum,  Quantity::AccelMaximumX, Quantity::AccelMaximumY,
+        Quantity::AccelRms,      Quantity::AccelRmsX,     Quantity::AccelRmsY,     Quantity::AccelDirection,
+        Quantity::DisplacementX, Quantity::DisplacementY,
     };
     return all;
 }
@@ -44,6 +45,12 @@ std::optional<double> valueOf(const Reading &reading, Quantity quantity)
     case Quantity::Temperature: return isTemperatureValid(reading.status) ? reading.temperature : std::nullopt;
     case Quantity::HeaterPower: return reading.heaterPower;
     case Quantity::FanFrequency: return reading.fanFrequency;
+    case Quantity::DisplacementX:
+    case Quantity::DisplacementY:
+        if (!reading.displacement || !reading.displacement->sum) {
+            return {};
+        }
+        return quantity == Quantity::DisplacementX ? reading.displacement->sum->x : reading.displacement->sum->y;
     default:
         if (!reading.acceleration || !isAccelerationValid(reading.status)) {
             return {};

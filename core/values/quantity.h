@@ -23,6 +23,8 @@ enum class Quantity : quint8 {
     AccelDirection = 12, ///< degrees
     SampleX = 13, ///< mm/s², of the raw stream of an accelerometer
     SampleY = 14, ///< mm/s²
+    DisplacementX = 15, ///< mm, over the foot of the chain
+    DisplacementY = 16, ///< mm
 };
 
 /// Every quantity a reading can carry, in the order of the numbers; samples are not among them.

@@ -17,6 +17,23 @@ struct Tilt
     bool operator==(const Tilt &) const = default;
 };
 
+/// A horizontal shift along the axes of the site.
+struct Displacement
+{
+    double x = 0; ///< mm
+    double y = 0; ///< mm
+    bool operator==(const Displacement &) const = default;
+};
+
+/// What the tilt of a sensor in a chain means there (spec/usm-isn.md, 13).
+struct LinkDisplacement
+{
+    Displacement own; ///< of the upper end of its link over the lower one
+    std::optional<Displacement>
+        sum; ///< of the upper end over the foot of the chain; empty: a sensor below is not valid
+    bool operator==(const LinkDisplacement &) const = default;
+};
+
 /// Accelerations of the last minute (manual 000, sections 4.3, 4.5, 10.4; spec/and3.md, Statistics), mm/s².
 struct AccelStatistics
 {
@@ -94,6 +111,7 @@ struct Reading
     std::optional<double> heaterPower; ///< %
     std::optional<double> fanFrequency; ///< 1/s
     std::optional<AccelStatistics> acceleration;
+    std::optional<LinkDisplacement> displacement; ///< of a sensor in a chain whose tilt is valid
     std::optional<quint16> rawStatus;
     std::optional<quint16> rawMode;
     std::optional<RingProgress> ring;

@@ -31,6 +31,14 @@ void insertValues(QJsonObject &object, const Reading &reading)
         object.insert(QStringLiteral("accelRmsX"), reading.acceleration->rmsX);
         object.insert(QStringLiteral("accelRmsY"), reading.acceleration->rmsY);
     }
+    if (reading.displacement) {
+        object.insert(QStringLiteral("linkX"), reading.displacement->own.x);
+        object.insert(QStringLiteral("linkY"), reading.displacement->own.y);
+        if (const auto &sum = reading.displacement->sum) {
+            object.insert(QStringLiteral("displacementX"), sum->x);
+            object.insert(QStringLiteral("displacementY"), sum->y);
+        }
+    }
     if (reading.rawStatus) {
         object.insert(QStringLiteral("rawStatus"), *reading.rawStatus);
     }

@@ -11,7 +11,9 @@ namespace gorizont {
 /// A reading as one line of JSON without a line end, UTF-8: the form of `--print-readings` and of everything else that
 /// sends readings as text. Keys: `time` (ISO 8601, UTC, ms), `number`, `name`, `type`, `port` (`COM4`), `address`,
 /// `status`, and of what is valid in this reading `tiltX`, `tiltY` (arc-seconds), `temperature` (°C), `heaterPower` (%),
-/// `fanFrequency` (1/s), `accelMax`, `accelRmsX`, `accelRmsY` (mm/s²), `accelDirection` (degrees), `rawStatus`.
+/// `fanFrequency` (1/s), `accelMax`, `accelRmsX`, `accelRmsY` (mm/s²), `accelDirection` (degrees), `linkX`, `linkY`
+/// (mm, of the sensor's link of a chain), `displacementX`, `displacementY` (mm, over the foot of the chain),
+/// `rawStatus`.
 QByteArray readingToJson(const Reading &reading, const SensorConfig &sensor, const LineConfig &line);
 
 /// ISO 8601, UTC, ms: `2018-02-07T15:33:03.250Z`.

@@ -182,7 +182,23 @@ private Q_SLOTS:
             spaced("0001 1170 0000 0003 0000 0005 0000 1660 0000 00B3 0000 0000"
                    "3F80 0000" // 1 s
                    "3D00 0000")); // 0.03125 s = 2^−5
-        QCOMPARE(read(images, blockOf2 + 64, 36), zeros(36));
+        QCOMPARE(read(images, blockOf2 + 64, 8), spaced("7FC0 0000 7FC0 0000 7FC0 0000 7FC0 0000")); // in no chain
+        QCOMPARE(read(images, blockOf2 + 72, 28), zeros(28));
+    }
+
+    void aSensorInAChainHasDisplacements()
+    {
+        UnitImages images(modbusSite());
+        Reading reading = answer();
+        reading.displacement = LinkDisplacement{{0.5, -7.75}, Displacement{270, 2.5}};
+        images.update(reading);
+        QCOMPARE(read(images, blockOf2 + 64, 8), spaced("3F00 0000 C0F8 0000 4387 0000 4020 0000"));
+        reading.displacement->sum.reset(); // a sensor below it is not valid
+        images.update(reading);
+        QCOMPARE(read(images, blockOf2 + 64, 8), spaced("3F00 0000 C0F8 0000 7FC0 0000 7FC0 0000"));
+        reading.status |= 0x0400; // tilt not valid
+        images.update(reading);
+        QCOMPARE(read(images, blockOf2 + 64, 4), spaced("7FC0 0000 7FC0 0000"));
     }
 
     void whatIsAbsentIsNaN()
@@ -190,7 +206,7 @@ private Q_SLOTS:
         const UnitImages images(modbusSite());
         const QByteArray nan = spaced("7FC0 0000");
         for (const int block : {blockOf1, blockOf2, blockOf4, blockOf6}) {
-            for (const int offset : {16, 18, 20, 22, 24, 26, 28, 32, 34, 36, 38, 40, 42, 44, 60, 62}) {
+            for (const int offset : {16, 18, 20, 22, 24, 26, 28, 32, 34, 36, 38, 40, 42, 44, 60, 62, 64, 66, 68, 70}) {
                 QCOMPARE(read(images, block + offset, 2), nan);
             }
             QCOMPARE(read(images, block + 12, 4), zeros(4)); // never answered

@@ -51,6 +51,10 @@ double set(int number, const QString &quantity)
         {QStringLiteral("packets_read"), 7000},
         {QStringLiteral("period"), 1},
         {QStringLiteral("exchange"), 0.5},
+        {QStringLiteral("link_x"), 12.5},
+        {QStringLiteral("link_y"), -0.25},
+        {QStringLiteral("displacement_x"), 640},
+        {QStringLiteral("displacement_y"), -32},
         {QStringLiteral("time"), 1517999583456},
     };
     return values.value(quantity) + number;
@@ -78,6 +82,8 @@ Reading readingOf(int number)
     accelerations.rmsX = value("accel_rms_x");
     accelerations.rmsY = value("accel_rms_y");
     reading.acceleration = accelerations;
+    reading.displacement = LinkDisplacement{
+        {value("link_x"), value("link_y")}, Displacement{value("displacement_x"), value("displacement_y")}};
     reading.rawStatus = static_cast<quint16>(value("raw_status"));
     reading.rawMode = static_cast<quint16>(value("raw_mode"));
     reading.ring =
@@ -227,8 +233,8 @@ private Q_SLOTS:
             images.update(readingOf(number));
         }
         const QList<Row> rows = rowsOf(registerDocument(server));
-        // Units 3 and 6: the channel word, 4 sensors × 4, 2 sensors × 5. Unit 1: head 25, 4 × (3 + 32).
-        QCOMPARE(rows.size(), 1 + 16 + 1 + 10 + 25 + 140);
+        // Units 3 and 6: the channel word, 4 sensors × 4, 2 sensors × 5. Unit 1: head 25, 4 × (3 + 36).
+        QCOMPARE(rows.size(), 1 + 16 + 1 + 10 + 25 + 156);
         QSet<std::pair<int, int>> seen;
         for (const Row &row : rows) {
             const int address = row.cells.at(0).toInt();

@@ -79,6 +79,34 @@ private Q_SLOTS:
         QCOMPARE(changes.size(), 1); // one signal a batch
     }
 
+    /// Sensor 4 stands on 5: thirty degrees over 2 m are 1000 mm, over 1 m 500 mm.
+    void readingsOfAChainSayTheirDisplacement()
+    {
+        SensorRegistry registry(lines(), {});
+        const ChainConfig chain{1, {}, {{5, 2}, {4, 1}}};
+        registry.setChains({chain});
+        QList<Reading> told;
+        connect(&registry, &SensorRegistry::readingsChanged, this, [&](const Readings &batch) { told = batch; });
+        Reading upper;
+        upper.number = 4;
+        upper.tilt = Tilt{108000, 0};
+        registry.update({upper});
+        QCOMPARE(told.at(0).displacement.value().own.x, 500.0);
+        QVERIFY(!told.at(0).displacement.value().sum); // nothing is known of the lower one
+        Reading lower = upper;
+        lower.number = 5;
+        Reading apart = upper;
+        apart.number = 2;
+        registry.update({lower, upper, apart});
+        QCOMPARE(told.at(1).displacement.value().sum.value().x, 1500.0);
+        QVERIFY(!told.at(2).displacement);
+        QCOMPARE(registry.sensors()[1].reading.displacement, told.at(1).displacement);
+        lower.status = 0x3700;
+        registry.update({lower});
+        QVERIFY(!told.at(0).displacement);
+        QVERIFY(!registry.nodesOf(chain).back().sum);
+    }
+
     void takesOverLineStates()
     {
         SensorRegistry registry(lines(), {});

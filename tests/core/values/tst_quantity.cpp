@@ -29,12 +29,14 @@ Reading TestQuantity::goodReading()
     reading.heaterPower = 12.5;
     reading.fanFrequency = 33.0;
     reading.acceleration = AccelStatistics{7.67, -0.4, -7.66, 270.0, 2.19, 0.01, 2.18};
+    reading.displacement = LinkDisplacement{{17.4, -0.1}, Displacement{50.0, -0.25}};
     return reading;
 }
 
 void TestQuantity::allOfAGoodAnswer()
 {
-    const QList<double> expected{-3599.5, 2720.5, 21.38, 12.5, 33.0, 7.67, -0.4, -7.66, 2.19, 0.01, 2.18, 270.0};
+    const QList<double> expected{-3599.5, 2720.5, 21.38, 12.5, 33.0,  7.67, -0.4,
+                                 -7.66,   2.19,   0.01,  2.18, 270.0, 50.0, -0.25};
     QList<double> found;
     for (const Quantity quantity : readingQuantities()) {
         found << valueOf(goodReading(), quantity).value();
