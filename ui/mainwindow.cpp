@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTimer>
 
 #include <algorithm>
@@ -55,6 +56,7 @@ MainWindow::MainWindow(
     connect(m_tree, &SiteTree::selectionChanged, this, &MainWindow::showItem);
     connect(m_state, &StatePanel::chosen, this, &MainWindow::select);
     connect(m_state, &StatePanel::clientDismissed, this, &MainWindow::clientDismissed);
+    connect(m_state, &StatePanel::wideChanged, this, &MainWindow::setWide);
     connect(m_banner, &AttentionBanner::listWanted, this, &MainWindow::showAttention);
     select(SiteItem::server());
     m_tree->setFocus();
@@ -88,8 +90,26 @@ void MainWindow::showItem(SiteItem item)
     m_info->setItem(item);
 }
 
+void MainWindow::showInfoTab(int tab)
+{
+    m_state->leaveWidePage();
+    m_info->setCurrentIndex(tab);
+}
+
+void MainWindow::setWide(bool isWide)
+{
+    if (isWide && m_rowsState.isEmpty()) {
+        m_rowsState = m_rows->saveState();
+        m_info->hide();
+    } else if (!isWide && !m_rowsState.isEmpty()) {
+        m_info->show();
+        m_rows->restoreState(std::exchange(m_rowsState, {}));
+    }
+}
+
 void MainWindow::goToPort()
 {
+    m_state->leaveWidePage();
     if (!m_registry.lines().empty()) {
         select(SiteItem::line(m_lastLine));
     }
@@ -98,6 +118,7 @@ void MainWindow::goToPort()
 /// The sensor selected last; after another port its first one.
 void MainWindow::goToSensor()
 {
+    m_state->leaveWidePage();
     if (m_registry.sensors().empty()) {
         return;
     }

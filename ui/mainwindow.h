@@ -13,6 +13,7 @@
 #include <functional>
 
 class QLabel;
+class QMenu;
 class QMessageBox;
 class QSplitter;
 class QTimer;
@@ -49,6 +50,9 @@ public:
 
     /// Service menus and windows for the ports that \a worker knows. Its workers outlive the window.
     void offerService(const WorkerOfPort &worker, Journal &journal);
+
+    /// One more tab above, for \a page that needs the whole height; the window owns it from now on.
+    void addWidePage(QWidget *page, const QString &title, const QKeySequence &key);
 
 public Q_SLOTS:
     /// One line of `_data`, for the tab <Измерения>.
@@ -97,6 +101,8 @@ private:
     void restoreColumns();
     void updateRefreshing();
     void showItem(SiteItem item);
+    void showInfoTab(int tab);
+    void setWide(bool isWide);
     void goToPort();
     void goToSensor();
     void showComplaints();
@@ -115,6 +121,9 @@ private:
     InfoPanel *m_info = nullptr;
     QSplitter *m_columns = nullptr;
     QSplitter *m_rows = nullptr;
+    QMenu *m_view = nullptr;
+    QAction *m_endOfPages = nullptr; ///< in the menu <Вид>, behind the last of the pages
+    QByteArray m_rowsState; ///< of m_rows while a wide page hides the lower panel
     QLabel *m_counts = nullptr;
     QLabel *m_server = nullptr;
     QLabel *m_clock = nullptr;

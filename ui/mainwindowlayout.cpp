@@ -88,7 +88,8 @@ void MainWindow::buildMenus()
 
 void MainWindow::buildViewMenu()
 {
-    QMenu *view = menuBar()->addMenu(tr("&View"));
+    m_view = menuBar()->addMenu(tr("&View"));
+    QMenu *const view = m_view;
     addGoAction(view, tr("&Ports"), 1, [this] {
         select(SiteItem::server());
         m_state->showPorts();
@@ -105,10 +106,10 @@ void MainWindow::buildViewMenu()
     }
     addGoAction(view, tr("P&ort"), 3, [this] { goToPort(); });
     addGoAction(view, tr("S&ensor"), 4, [this] { goToSensor(); });
-    view->addSeparator();
-    addGoAction(view, tr("Se&ttings"), 5, [this] { m_info->setCurrentIndex(0); });
-    addGoAction(view, tr("&Measurements"), 6, [this] { m_info->setCurrentIndex(1); });
-    addGoAction(view, tr("&Journal"), 7, [this] { m_info->setCurrentIndex(2); });
+    m_endOfPages = view->addSeparator();
+    addGoAction(view, tr("Se&ttings"), 5, [this] { showInfoTab(0); });
+    addGoAction(view, tr("&Measurements"), 6, [this] { showInfoTab(1); });
+    addGoAction(view, tr("&Journal"), 7, [this] { showInfoTab(2); });
     addGoAction(view, tr("Messages for the &dispatcher"), 8, [this] { showAttention(); });
     view->addSeparator();
     QAction *find = view->addAction(tr("&Find a sensor"), m_tree, &SiteTree::startSearch);
@@ -119,6 +120,16 @@ void MainWindow::buildViewMenu()
     refresh->setShortcut(QKeySequence(Qt::Key_F5));
     QAction *restore = view->addAction(tr("Restore &columns"), this, &MainWindow::restoreColumns);
     restore->setObjectName(QStringLiteral("restoreAllColumnsAction"));
+}
+
+void MainWindow::addWidePage(QWidget *page, const QString &title, const QKeySequence &key)
+{
+    m_state->addWidePage(page, title);
+    auto *action = new QAction(title, this);
+    action->setObjectName(page->objectName() + QStringLiteral("Action"));
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, m_state, [this, page] { m_state->showWidePage(page); });
+    m_view->insertAction(m_endOfPages, action);
 }
 
 int MainWindow::selectedLine() const
@@ -203,7 +214,7 @@ void MainWindow::saveLayout() const
     QSettings settings = windowSettings();
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/columns"), m_columns->saveState());
-    settings.setValue(QStringLiteral("window/rows"), m_rows->saveState());
+    settings.setValue(QStringLiteral("window/rows"), m_rowsState.isEmpty() ? m_rows->saveState() : m_rowsState);
     settings.setValue(QStringLiteral("window/serverTab"), m_state->serverTab());
     settings.setValue(QStringLiteral("window/infoTab"), m_info->currentIndex());
     for (const TableView *table : findChildren<TableView *>()) {

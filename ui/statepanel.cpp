@@ -52,26 +52,52 @@ QWidgetList StatePanel::serverPages() const
     return pages;
 }
 
+void StatePanel::addWidePage(QWidget *page, const QString &title)
+{
+    m_widePages.append(page);
+    addTab(page, title);
+}
+
+void StatePanel::leaveWidePage()
+{
+    if (isWide()) {
+        setCurrentWidget(pageOfItem());
+    }
+}
+
 void StatePanel::onTabChanged()
 {
-    if (m_item.kind == SiteItem::Kind::Server && !m_isChangingItem) {
+    if (!m_isChangingItem && serverPages().contains(currentWidget())) {
         m_serverPage = currentWidget();
     }
+    Q_EMIT wideChanged(isWide());
     refresh(true);
+}
+
+QWidget *StatePanel::pageOfItem() const
+{
+    switch (m_item.kind) {
+    case SiteItem::Kind::Line: return m_port;
+    case SiteItem::Kind::Sensor: return m_sensor;
+    case SiteItem::Kind::Server: break;
+    }
+    return m_serverPage;
 }
 
 void StatePanel::setItem(SiteItem item)
 {
     const QScopedValueRollback guard(m_isChangingItem, true);
     m_item = item;
+    // The new tab first: a tab that is hidden while it is seen hands over to its neighbour.
+    setTabVisible(indexOf(pageOfItem()), true);
+    if (!isWide()) {
+        setCurrentWidget(pageOfItem());
+    }
     for (QWidget *page : serverPages()) {
         setTabVisible(indexOf(page), item.kind == SiteItem::Kind::Server);
     }
     setTabVisible(indexOf(m_port), item.kind == SiteItem::Kind::Line);
     setTabVisible(indexOf(m_sensor), item.kind == SiteItem::Kind::Sensor);
-    if (item.kind == SiteItem::Kind::Server) {
-        setCurrentWidget(m_serverPage);
-    }
     refresh(true);
 }
 
@@ -86,6 +112,8 @@ void StatePanel::refresh(bool hasReadings)
         }
     } else if (m_clients && currentWidget() == m_clients) {
         m_clients->refresh(utcNow());
+    } else if (isWide()) {
+        return;
     } else if (m_item.kind == SiteItem::Kind::Line) {
         m_port->setProperties(portProperties(m_registry.lines()[static_cast<std::size_t>(m_item.index)], now));
     } else if (m_item.kind == SiteItem::Kind::Sensor) {

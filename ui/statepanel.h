@@ -23,6 +23,14 @@ public:
     /// \a showsClients: with the tab <Клиенты>.
     StatePanel(const SensorRegistry &registry, bool showsClients, QWidget *parent = nullptr);
 
+    /// A tab that is there whatever is selected, stays while something else is selected, and wants the whole height of
+    /// the window. It draws itself.
+    void addWidePage(QWidget *page, const QString &title);
+    void showWidePage(QWidget *page) { setCurrentWidget(page); }
+    /// Back from a wide page to the tab of what is selected.
+    void leaveWidePage();
+    bool isWide() const { return m_widePages.contains(currentWidget()); }
+
     void setItem(SiteItem item);
 
     /// Draws the tab that is seen. \a hasReadings: values have changed since the last call.
@@ -39,6 +47,7 @@ public:
     void setClients(const QString &service, const QList<ClientInfo> &clients);
 
 Q_SIGNALS:
+    void wideChanged(bool isWide);
     void chosen(gorizont::SiteItem item);
     /// The user wants this connection to be cut off.
     void clientDismissed(const QString &service, const QHostAddress &address, quint16 port);
@@ -46,6 +55,7 @@ Q_SIGNALS:
 private:
     void onTabChanged();
     QWidgetList serverPages() const;
+    QWidget *pageOfItem() const;
     void showServerPage(QWidget *page);
     void connectPages();
 
@@ -58,6 +68,7 @@ private:
     QWidget *m_serverPage; ///< the one of the server seen last
     PropertiesPage *m_port;
     PropertiesPage *m_sensor;
+    QWidgetList m_widePages;
 };
 
 } // namespace gorizont
