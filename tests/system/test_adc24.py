@@ -42,7 +42,7 @@ class Adc24(unittest.TestCase):
             client.close()
             self.assertEqual(site.server.stop(), 0)
             log = site.file_text("log")
-            self.assertEqual(log.count("ADC24 TCP"), 2, log)  # serving, and a client
+            self.assertEqual(log.count("ADC24 TCP"), 3, log)  # serving, a client, and the end
 
     def test_begins_anew_with_the_files_when_the_chosen_sensor_restarts(self):
         port = free_port()
