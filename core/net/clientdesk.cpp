@@ -4,6 +4,7 @@
 #include <QMetaMethod>
 
 #include <algorithm>
+#include <unistd.h>
 
 namespace gorizont {
 
@@ -30,6 +31,7 @@ ClientDesk::ClientDesk(const Service &service, const DeskConfig &config, QObject
     , m_allowed(config.allow)
     , m_sentences(service.name, service.portKey)
     , m_listener(config.retry, config.acceptPause, this)
+    , m_watch(this)
     , m_round(this)
 {
     m_round.setInterval(roundFor(config.idle));
@@ -97,25 +99,20 @@ void ClientDesk::close()
     }
 }
 
-void ClientDesk::onConnected(QTcpSocket *socket)
+void ClientDesk::onConnected(const Arrival &arrival)
 {
-    const QHostAddress address = plainAddress(socket->peerAddress());
-    const bool isStillThere = !address.isNull(); // a reset in the queue of connections leaves no address
-    if (isStillThere && m_allowed.admits(address)) {
-        admit(socket);
+    if (const QHostAddress address = plainAddress(arrival.address); !m_allowed.admits(address)) {
+        ::close(arrival.descriptor);
+        tellTrouble(ClientTrouble::Refused, address);
         return;
     }
-    socket->abort();
-    socket->deleteLater();
-    if (isStillThere) {
-        tellTrouble(ClientTrouble::Refused, address);
-    }
+    admit(arrival);
 }
 
-void ClientDesk::admit(QTcpSocket *socket)
+void ClientDesk::admit(const Arrival &arrival)
 {
     makeRoom();
-    auto *peer = new ClientPeer(socket, m_service, m_config.stall, this);
+    auto *peer = new ClientPeer(arrival, m_service, m_watch, m_config.stall, this);
     m_peers.push_back(peer);
     connect(peer, &ClientPeer::ended, this, [this, peer](ClientPeer::End how) { onEnded(peer, how); });
     connect(peer, &ClientPeer::misspoke, this, [this, peer] {

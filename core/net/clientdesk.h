@@ -52,8 +52,8 @@ Q_SIGNALS:
 private:
     void onListening();
     void onListenFailed(QAbstractSocket::SocketError error, const QString &reason);
-    void onConnected(QTcpSocket *socket);
-    void admit(QTcpSocket *socket);
+    void onConnected(const Arrival &arrival);
+    void admit(const Arrival &arrival);
     void onEnded(ClientPeer *peer, ClientPeer::End how);
     void remove(ClientPeer *peer);
     void sendAway(ClientPeer *peer, ClientTrouble reason);
@@ -69,6 +69,7 @@ private:
     const DeskSentences m_sentences;
     ClientDiary m_diary;
     TcpListener m_listener;
+    PeerWatch m_watch;
     quint16 m_wantedPort = 0;
     QString m_problem;
     QTimer m_round; ///< once a second while open

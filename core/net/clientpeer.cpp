@@ -3,32 +3,36 @@
 #include "core/net/allowlist.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace gorizont {
 
 ClientPeer::ClientPeer(
-    QTcpSocket *socket, const Service &service, std::chrono::milliseconds stallLimit, QObject *parent)
+    const Arrival &arrival, const Service &service, PeerWatch &watch, std::chrono::milliseconds stallLimit,
+    QObject *parent)
     : QObject(parent)
-    , m_socket(socket)
+    , m_descriptor(arrival.descriptor)
+    , m_watch(watch)
     , m_service(service)
     , m_readLimit(std::clamp<qint64>(service.readLimit, 1, mostRead))
-    , m_address(plainAddress(socket->peerAddress()))
-    , m_port(socket->peerPort())
+    , m_address(plainAddress(arrival.address))
+    , m_port(arrival.port)
     , m_stall(this)
     , m_patience(this)
 {
-    m_socket->setParent(this);
-    m_socket->setReadBufferSize(m_readLimit);
     m_stall.setSingleShot(true);
     m_stall.setInterval(stallLimit);
     m_patience.setSingleShot(true);
     m_patience.setInterval(service.patience);
     connect(&m_stall, &QTimer::timeout, this, [this] { end(End::Stalled); });
     connect(&m_patience, &QTimer::timeout, this, &ClientPeer::dropRest);
-    connect(m_socket, &QTcpSocket::readyRead, this, &ClientPeer::readRequests);
-    connect(m_socket, &QTcpSocket::bytesWritten, this, &ClientPeer::onBytesWritten);
-    connect(m_socket, &QTcpSocket::disconnected, this, [this] { end(End::Left); });
+    if (!m_watch.add(m_descriptor, this)) {
+        QMetaObject::invokeMethod(
+            this, [this] { end(End::Left); }, Qt::QueuedConnection);
+    }
 }
 
 ClientPeer::~ClientPeer()
@@ -38,25 +42,55 @@ ClientPeer::~ClientPeer()
 
 void ClientPeer::leave()
 {
-    m_isEnded = true;
     m_stall.stop();
     m_patience.stop();
-    m_socket->abort();
+    if (m_descriptor >= 0) {
+        ::close(m_descriptor);
+        m_descriptor = -1;
+    }
+}
+
+void ClientPeer::onReady(bool isReadable, bool isWritable, bool isBroken)
+{
+    if (m_descriptor >= 0 && isWritable) {
+        passUnsent();
+    }
+    if (m_descriptor >= 0 && isReadable && isReading()) {
+        readRequests();
+    } else if (m_descriptor >= 0 && isBroken) {
+        end(End::Left);
+    }
 }
 
 void ClientPeer::readRequests()
 {
-    if (m_isEnded || m_stall.isActive()) {
-        return;
-    }
     std::array<char, mostKept + mostRead> buffer;
     std::memcpy(buffer.data(), m_rest.data(), static_cast<std::size_t>(m_restSize));
-    const qint64 count = m_socket->read(buffer.data() + m_restSize, m_readLimit);
-    if (count <= 0) {
-        return;
+    if (const qint64 count = receive(buffer.data() + m_restSize); count > 0) {
+        m_bytesReceived += static_cast<quint64>(count);
+        answer(QByteArrayView(buffer.data(), m_restSize + count));
     }
-    m_bytesReceived += static_cast<quint64>(count);
-    const QByteArrayView received(buffer.data(), m_restSize + count);
+}
+
+/// 0: nothing to answer now or ever.
+qint64 ClientPeer::receive(char *buffer)
+{
+    const ssize_t count = ::recv(m_descriptor, buffer, static_cast<std::size_t>(m_readLimit), 0);
+    if (count > 0) {
+        return count;
+    }
+    if (count == 0 && !m_unsent.isEmpty()) {
+        m_isAtEnd = true;
+        m_stall.start();
+        chooseWhen();
+    } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
+        end(End::Left);
+    }
+    return 0;
+}
+
+void ClientPeer::answer(QByteArrayView received)
+{
     AnswerBuffer answers;
     const AnsweredRequests done = m_service.answer(received, answers);
     m_requests += done.requests;
@@ -65,8 +99,8 @@ void ClientPeer::readRequests()
         m_lastActive = SteadyTime::clock::now();
         send(answers);
     }
-    if (m_isEnded) {
-        return; // the connection broke while the answers were written
+    if (m_descriptor < 0) {
+        return; // the connection broke while the answers were sent
     }
     if (done.isBroken || !keepRest(received.sliced(done.consumed))) {
         end(End::Malformed);
@@ -77,15 +111,51 @@ void ClientPeer::readRequests()
     }
 }
 
-/// Flushes at once: a client that closes its end right after the request still gets the answer.
-void ClientPeer::send(const AnswerBuffer &answers)
+void ClientPeer::send(QByteArrayView answers)
 {
     m_bytesSent += static_cast<quint64>(answers.size());
-    m_socket->write(answers.constData(), answers.size());
-    m_socket->flush();
-    if (m_socket->bytesToWrite() >= unsentLimit) {
+    const qsizetype taken = m_unsent.isEmpty() ? pass(answers) : 0;
+    if (m_descriptor < 0 || taken == answers.size()) {
+        return;
+    }
+    m_unsent.append(answers.sliced(taken));
+    if (m_unsent.size() >= unsentLimit) {
         m_stall.start();
     }
+    chooseWhen();
+}
+
+/// How many of the bytes the system has taken; the connection may be over afterwards.
+qsizetype ClientPeer::pass(QByteArrayView bytes)
+{
+    const ssize_t taken = ::send(m_descriptor, bytes.data(), static_cast<std::size_t>(bytes.size()), MSG_NOSIGNAL);
+    if (taken < 0 && errno != EAGAIN && errno != EINTR) {
+        end(End::Left);
+    }
+    return std::max<qsizetype>(taken, 0);
+}
+
+void ClientPeer::passUnsent()
+{
+    m_unsent.remove(0, pass(m_unsent));
+    if (m_descriptor < 0) {
+        return;
+    }
+    if (m_isAtEnd && m_unsent.isEmpty()) {
+        end(End::Left);
+        return;
+    }
+    if (m_isAtEnd || (m_stall.isActive() && m_unsent.size() > unsentLimit / 2)) {
+        m_stall.start();
+    } else {
+        m_stall.stop();
+    }
+    chooseWhen();
+}
+
+void ClientPeer::chooseWhen()
+{
+    m_watch.choose(m_descriptor, this, isReading(), !m_unsent.isEmpty());
 }
 
 /// False: \a rest is longer than any request.
@@ -109,7 +179,7 @@ bool ClientPeer::keepRest(QByteArrayView rest)
 
 void ClientPeer::dropRest()
 {
-    if (m_stall.isActive()) {
+    if (!isReading()) {
         m_patience.start(); // the continuation may have come, it is we who do not read
         return;
     }
@@ -118,22 +188,9 @@ void ClientPeer::dropRest()
     Q_EMIT misspoke();
 }
 
-void ClientPeer::onBytesWritten()
-{
-    if (!m_stall.isActive()) {
-        return;
-    }
-    if (m_socket->bytesToWrite() > unsentLimit / 2) {
-        m_stall.start();
-        return;
-    }
-    m_stall.stop();
-    readRequests();
-}
-
 void ClientPeer::end(End how)
 {
-    if (m_isEnded) {
+    if (m_descriptor < 0) {
         return;
     }
     leave();

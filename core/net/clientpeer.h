@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/net/arrival.h"
 #include "core/net/clientinfo.h"
+#include "core/net/peerwatch.h"
 #include "core/net/service.h"
 
+#include <QByteArray>
 #include <QObject>
-#include <QTcpSocket>
 #include <QTimer>
 
 #include <array>
@@ -14,7 +16,7 @@ namespace gorizont {
 /// The server's end of one connection: bytes in, answers out. Servers thread.
 /// One bounded read a turn, all its requests answered by one write. A part of a request waits in a fixed buffer. A
 /// client that does not take its answers is not read any further once unsentLimit bytes wait for it, and reported as
-/// Stalled when it then takes nothing for a while.
+/// Stalled when it then takes nothing for a while. One that has closed its end still gets what it asked for.
 class ClientPeer : public QObject
 {
     Q_OBJECT
@@ -27,9 +29,10 @@ public:
     enum class End : quint8 { Left, Malformed, Stalled };
     Q_ENUM(End)
 
-    /// Takes over \a socket, which is connected. \a service must outlive the peer.
+    /// \a service and \a watch must outlive the peer.
     ClientPeer(
-        QTcpSocket *socket, const Service &service, std::chrono::milliseconds stallLimit, QObject *parent = nullptr);
+        const Arrival &arrival, const Service &service, PeerWatch &watch, std::chrono::milliseconds stallLimit,
+        QObject *parent = nullptr);
     ~ClientPeer() override;
 
     const QHostAddress &address() const { return m_address; } ///< plainAddress()
@@ -37,6 +40,8 @@ public:
     SteadyTime lastActive() const { return m_lastActive; } ///< the last answered request, or the connection itself
     ClientInfo info() const;
 
+    /// For PeerWatch. \a isBroken: nothing can be sent any more.
+    void onReady(bool isReadable, bool isWritable, bool isBroken);
     /// Ends the connection without ended(). What the system has taken for sending still arrives.
     void leave();
 
@@ -47,23 +52,30 @@ Q_SIGNALS:
     void ended(gorizont::ClientPeer::End end);
 
 private:
+    bool isReading() const { return !m_stall.isActive() && !m_isAtEnd; }
     void readRequests();
-    void send(const AnswerBuffer &answers);
+    qint64 receive(char *buffer);
+    void answer(QByteArrayView received);
+    void send(QByteArrayView answers);
+    qsizetype pass(QByteArrayView bytes);
+    void passUnsent();
+    void chooseWhen();
     bool keepRest(QByteArrayView rest);
     void dropRest();
-    void onBytesWritten();
     void end(End how);
 
-    QTcpSocket *m_socket;
+    int m_descriptor; ///< −1: ended
+    PeerWatch &m_watch;
     const Service &m_service;
     const qint64 m_readLimit;
     QHostAddress m_address;
     quint16 m_port = 0;
-    QTimer m_stall; ///< runs while the client is not read
+    QTimer m_stall; ///< runs while the client is not read for its unsent answers
     QTimer m_patience; ///< runs while a part of a request waits, if that is limited
     std::array<char, mostKept> m_rest{}; ///< the start of a request
     qsizetype m_restSize = 0;
-    bool m_isEnded = false;
+    QByteArray m_unsent; ///< answers that the system has not taken yet
+    bool m_isAtEnd = false; ///< the client sends no more
     UtcTime m_since = utcNow();
     SteadyTime m_lastActive = SteadyTime::clock::now();
     quint64 m_requests = 0;

@@ -1,11 +1,9 @@
 #include "core/net/tcplistener.h"
 
 #include <cerrno>
-#include <memory>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 namespace gorizont {
 
@@ -33,6 +31,14 @@ void prepare(int descriptor)
     setOption(descriptor, IPPROTO_TCP, TCP_KEEPIDLE, keepAliveIdle);
     setOption(descriptor, IPPROTO_TCP, TCP_KEEPINTVL, keepAliveInterval);
     setOption(descriptor, IPPROTO_TCP, TCP_KEEPCNT, keepAliveProbes);
+}
+
+Arrival arrival(int descriptor, const sockaddr_storage &address)
+{
+    const bool isIpv6 = address.ss_family == AF_INET6;
+    const quint16 port = isIpv6 ? reinterpret_cast<const sockaddr_in6 *>(&address)->sin6_port
+                                : reinterpret_cast<const sockaddr_in *>(&address)->sin_port;
+    return {descriptor, QHostAddress(reinterpret_cast<const sockaddr *>(&address)), ntohs(port)};
 }
 
 /// Reasons to wait; everything else is about the one connection that was to be accepted (accept(2)).
@@ -110,8 +116,11 @@ void TcpListener::watchArrivals()
 void TcpListener::acceptSome()
 {
     for (int i = 0; i < acceptsPerTurn && isListening(); ++i) {
-        const int descriptor =
-            ::accept4(static_cast<int>(m_server.socketDescriptor()), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+        sockaddr_storage address{};
+        socklen_t size = sizeof address;
+        const int descriptor = ::accept4(
+            static_cast<int>(m_server.socketDescriptor()), reinterpret_cast<sockaddr *>(&address), &size,
+            SOCK_CLOEXEC | SOCK_NONBLOCK);
         if (descriptor < 0 && isOutOfMeans(errno)) {
             pauseAccepting(qt_error_string(errno));
             return;
@@ -120,12 +129,7 @@ void TcpListener::acceptSome()
             return; // nobody more, or somebody who has already gone
         }
         prepare(descriptor);
-        auto socket = std::make_unique<QTcpSocket>();
-        if (socket->setSocketDescriptor(descriptor)) {
-            Q_EMIT connected(socket.release());
-        } else {
-            ::close(descriptor);
-        }
+        Q_EMIT connected(arrival(descriptor, address));
     }
 }
 

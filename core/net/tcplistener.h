@@ -1,10 +1,11 @@
 #pragma once
 
-#include <QHostAddress>
+#include "core/net/arrival.h"
+
+#include <QAbstractSocket>
 #include <QObject>
 #include <QSocketNotifier>
 #include <QTcpServer>
-#include <QTcpSocket>
 #include <QTimer>
 
 #include <chrono>
@@ -35,8 +36,7 @@ Q_SIGNALS:
     void listening();
     /// Once per change of the reason.
     void listenFailed(QAbstractSocket::SocketError error, const QString &reason);
-    /// The receiver owns the socket.
-    void connected(QTcpSocket *socket);
+    void connected(const gorizont::Arrival &arrival);
     /// Once, until acceptsAgain().
     void acceptFailed(const QString &reason);
     void acceptsAgain();

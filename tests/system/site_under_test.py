@@ -224,3 +224,16 @@ def read_acceleration(client, sensors):
     data = client.read(6, 0, (4 + 10 * sensors) // 2)
     values = struct.iter_unpack("<hhHHH", data[4:])
     return struct.unpack("<I", data[:4])[0], [(m / 100, d / 10, x / 100, y / 100, s) for m, d, x, y, s in values]
+
+
+def analysed(traffic):
+    """What a protocol analyser says of ("request" | "answer", bytes) in their order, as text."""
+    with tempfile.TemporaryDirectory() as folder:
+        capture = pathlib.Path(folder) / "capture"
+        capture.with_suffix(".txt").write_text("".join(
+            ("O " if kind == "request" else "I ") + "000000 " + data.hex(" ") + "\n" for kind, data in traffic))
+        subprocess.run(["text2pcap", "-q", "-D", "-T", "40000,502", capture.with_suffix(".txt"),
+                        capture.with_suffix(".pcap")], check=True, capture_output=True, timeout=60)
+        return subprocess.run(
+            ["tshark", "-r", capture.with_suffix(".pcap"), "-V"], capture_output=True, text=True, timeout=120,
+            check=True).stdout

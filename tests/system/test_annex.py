@@ -6,12 +6,12 @@ import re
 import shutil
 import struct
 import subprocess
-import tempfile
 import time
 import unittest
 import pathlib
 
-from site_under_test import ARC_SECONDS_PER_DEGREE, ModbusClient, Site, annex, free_port, read_acceleration, read_tilt
+from site_under_test import (
+    ARC_SECONDS_PER_DEGREE, ModbusClient, Site, analysed, annex, free_port, read_acceleration, read_tilt)
 
 TILT_NUMBERS = [1, 2, 3, 4, 11, 12, 13, 14]
 ACCELERATION_NUMBERS = [1, 2, 11, 12]
@@ -168,16 +168,7 @@ class Annex(unittest.TestCase):
         with self.assertRaises(Exception):
             client.read(3, 30000, 2)
         client.close()
-        with tempfile.TemporaryDirectory() as folder:
-            capture = pathlib.Path(folder) / "capture"
-            capture.with_suffix(".txt").write_text("".join(
-                ("O " if kind == "request" else "I ") + "000000 " + data.hex(" ") + "\n"
-                for kind, data in client.traffic))
-            subprocess.run(["text2pcap", "-q", "-D", "-T", "40000,502", capture.with_suffix(".txt"),
-                            capture.with_suffix(".pcap")], check=True, capture_output=True, timeout=60)
-            decoded = subprocess.run(
-                ["tshark", "-r", capture.with_suffix(".pcap"), "-V"], capture_output=True, text=True, timeout=120,
-                check=True).stdout
+        decoded = analysed(client.traffic)
         self.assertEqual(decoded.count("Modbus/TCP"), len(client.traffic), decoded[-3000:])
         self.assertNotIn("Malformed", decoded)
         self.assertIn("Illegal data address", decoded)

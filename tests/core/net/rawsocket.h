@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <cerrno>
 #include <fcntl.h>
@@ -51,12 +52,15 @@ public:
         return count < 0 && errno == EAGAIN ? 0 : count;
     }
 
-    QByteArray receive()
+    QByteArray receive(qsizetype most = 65536)
     {
-        char buffer[65536];
-        const ssize_t count = ::recv(m_fd, buffer, sizeof buffer, 0);
-        return count > 0 ? QByteArray(buffer, count) : QByteArray();
+        QByteArray bytes(most, '\0');
+        const ssize_t count = ::recv(m_fd, bytes.data(), static_cast<std::size_t>(most), 0);
+        return bytes.first(std::max<qsizetype>(count, 0));
     }
+
+    /// Sends no more, and still reads.
+    void finish() { ::shutdown(m_fd, SHUT_WR); }
 
     /// The other end has closed or reset the connection. Consumes nothing but the news.
     bool isGone()

@@ -232,15 +232,18 @@ private Q_SLOTS:
     void noticesADeadPeerWithinMinutes()
     {
         TcpListener listener(1000ms, 1000ms);
-        std::unique_ptr<QTcpSocket> accepted;
-        connect(&listener, &TcpListener::connected, this, [&accepted](QTcpSocket *socket) { accepted.reset(socket); });
+        int accepted = -1;
+        connect(&listener, &TcpListener::connected, this, [&accepted](const Arrival &who) {
+            accepted = who.descriptor;
+        });
+        const auto end = qScopeGuard([&accepted] { ::close(accepted); });
         listener.start(QHostAddress(QHostAddress::LocalHost), 0);
         TestClient client(listener.port());
-        QTRY_VERIFY(accepted);
-        const auto option = [&accepted](int level, int name) {
+        QTRY_VERIFY(accepted >= 0);
+        const auto option = [accepted](int level, int name) {
             int value = -1;
             socklen_t size = sizeof value;
-            ::getsockopt(static_cast<int>(accepted->socketDescriptor()), level, name, &value, &size);
+            ::getsockopt(accepted, level, name, &value, &size);
             return value;
         };
         QCOMPARE(option(SOL_SOCKET, SO_KEEPALIVE), 1);

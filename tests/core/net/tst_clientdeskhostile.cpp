@@ -20,6 +20,36 @@ namespace {
 
 const QByteArray request = QByteArray(10, 'a'); // the answer has 45 bytes
 
+/// How many whole requests \a client could send until the server, in this thread, reads no more.
+qsizetype askUntilNotRead(RawSocket &client)
+{
+    const QByteArray requests = request.repeated(1000);
+    qsizetype sent = 0;
+    for (int idleTurns = 0; idleTurns < 20;) {
+        const ssize_t taken = client.send(requests.mid(sent % requests.size()));
+        if (taken < 0) {
+            return -1;
+        }
+        sent += taken;
+        QTest::qWait(taken > 0 ? 0 : 5);
+        idleTurns = taken > 0 ? 0 : idleTurns + 1;
+    }
+    return sent / request.size();
+}
+
+/// How many bytes \a client gets, at most \a expected, when it takes \a piece at a time.
+qsizetype receiveAll(RawSocket &client, qsizetype expected, qsizetype piece)
+{
+    qsizetype received = 0;
+    QElapsedTimer watch;
+    watch.start();
+    while (received < expected && watch.elapsed() < 30000) {
+        QCoreApplication::processEvents(); // without the pauses of qWaitFor(): the server lives in this thread
+        received += client.receive(piece).size();
+    }
+    return received;
+}
+
 /// Puts the soft limit of descriptors back whatever happens.
 class DescriptorLimit
 {
@@ -98,30 +128,26 @@ private Q_SLOTS:
         QVERIFY(desk.open(loopback(), 0));
         RawSocket slow;
         QVERIFY(slow.connect(desk.port()));
-        QTRY_COMPARE(desk.clients().size(), 1);
-        const QByteArray requests = request.repeated(1000);
-        qsizetype sent = 0;
-        for (int idleTurns = 0; idleTurns < 20;) {
-            const ssize_t taken = slow.send(requests.mid(sent % requests.size()));
-            QVERIFY(taken >= 0);
-            sent += taken;
-            QTest::qWait(taken > 0 ? 0 : 5);
-            idleTurns = taken > 0 ? 0 : idleTurns + 1;
-        }
-        const qsizetype asked = sent / request.size();
+        const qsizetype asked = askUntilNotRead(slow);
         QVERIFY(asked * 45 > 1'000'000);
         // The server has stopped reading and nothing was lost: all answers come when the client reads.
-        qsizetype received = 0;
-        QElapsedTimer watch;
-        watch.start();
-        while (received < asked * 45 && watch.elapsed() < 30000) {
-            QCoreApplication::processEvents(); // without the pauses of qWaitFor(): the server lives in this thread
-            for (QByteArray piece = slow.receive(); !piece.isEmpty(); piece = slow.receive()) {
-                received += piece.size();
-            }
-        }
-        QCOMPARE(received, asked * 45);
+        QCOMPARE(receiveAll(slow, asked * 45, 65536), asked * 45);
         QCOMPARE(desk.clients().size(), 1);
+    }
+
+    void answersAClientThatHasClosedItsEnd()
+    {
+        ClientDesk desk(toyService(), DeskConfig());
+        QVERIFY(desk.open(loopback(), 0));
+        RawSocket slow;
+        QVERIFY(slow.connect(desk.port()));
+        const qsizetype asked = askUntilNotRead(slow);
+        QVERIFY(asked * 45 > 1'000'000);
+        slow.finish();
+        // More slowly than the server answers: answers still wait in it when it comes to the end.
+        QCOMPARE(receiveAll(slow, asked * 45, 4096), asked * 45);
+        QTRY_VERIFY(desk.clients().isEmpty());
+        QVERIFY(slow.isGone());
     }
 
     void survivesWithoutDescriptors()
