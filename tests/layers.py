@@ -19,6 +19,7 @@ ROOMS = {
     DEVICES: ["core/values", "core/protocol", "core/line"],
     "core/engine": ["core/values", "core/line", "core/devices/driver.h", "core/devices/drivercatalog.h"],
     "core/registry": ["core/values"],
+    "core/analysis": ["core/values"],
     "core/alarms": ["core/values", "core/config", "core/registry"],
     "core/history": ["core/values", "core/files", "core/config", "core/registry"],
     "core/net": ["core/values"],
