@@ -1855,6 +1855,174 @@
         <source>the file gives “%1”, which cannot be used; “%2” is used</source>
         <translation>в файле указано «%1», это значение использовать нельзя; используется «%2»</translation>
     </message>
+    <message>
+        <source>ADC24 TCP server</source>
+        <translation>Сервер ADC24 TCP</translation>
+    </message>
+    <message>
+        <source>serve the samples of one accelerometer over ADC24 TCP?</source>
+        <translation>отдавать отсчёты одного акселерометра по ADC24 TCP?</translation>
+    </message>
+    <message>
+        <source>Accelerometer served</source>
+        <translation>Отдаваемый акселерометр</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>первый</translation>
+    </message>
+    <message>
+        <source>number of the sensor whose samples are served</source>
+        <translation>номер датчика, отсчёты которого отдаются</translation>
+    </message>
+    <message>
+        <source>Axis served</source>
+        <translation>Отдаваемая ось</translation>
+    </message>
+    <message>
+        <source>X or Y: the axis whose samples are served</source>
+        <translation>X или Y: ось, отсчёты по которой отдаются</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Пользователь</translation>
+    </message>
+    <message>
+        <source>who the broker is told we are</source>
+        <translation>имя, под которым программа входит на брокер</translation>
+    </message>
+    <message>
+        <source>File with the password</source>
+        <translation>Файл с паролем</translation>
+    </message>
+    <message>
+        <source>its first line is the password</source>
+        <translation>пароль — первая строка этого файла</translation>
+    </message>
+    <message>
+        <source>Encrypted</source>
+        <translation>Шифрование</translation>
+    </message>
+    <message>
+        <source>connect to the broker with TLS?</source>
+        <translation>соединяться с брокером по TLS?</translation>
+    </message>
+    <message>
+        <source>Certificates trusted</source>
+        <translation>Доверенные сертификаты</translation>
+    </message>
+    <message>
+        <source>those of the system</source>
+        <translation>системные</translation>
+    </message>
+    <message>
+        <source>PEM file of who signed the broker&apos;s certificate</source>
+        <translation>файл PEM того, кто подписал сертификат брокера</translation>
+    </message>
+    <message>
+        <source>Own certificate</source>
+        <translation>Свой сертификат</translation>
+    </message>
+    <message>
+        <source>PEM file that the broker may ask for</source>
+        <translation>файл PEM, который может запросить брокер</translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation>Ключ сертификата</translation>
+    </message>
+    <message>
+        <source>PEM file of the key of the own certificate</source>
+        <translation>файл PEM с ключом своего сертификата</translation>
+    </message>
+    <message>
+        <source>Broker</source>
+        <translation>Брокер</translation>
+    </message>
+    <message>
+        <source>name or address of the broker that gets every reading</source>
+        <translation>имя или адрес брокера, который получает каждое показание</translation>
+    </message>
+    <message>
+        <source>Port of the broker</source>
+        <translation>Порт брокера</translation>
+    </message>
+    <message>
+        <source>usually 1883, with TLS 8883</source>
+        <translation>обычно 1883, с TLS — 8883</translation>
+    </message>
+    <message>
+        <source>Name for the broker</source>
+        <translation>Имя клиента</translation>
+    </message>
+    <message>
+        <source>made of the computer and the folder</source>
+        <translation>по имени компьютера и папке</translation>
+    </message>
+    <message>
+        <source>two copies with the same name throw each other out</source>
+        <translation>две копии с одним именем вытесняют друг друга</translation>
+    </message>
+    <message>
+        <source>Topics begin with</source>
+        <translation>Начало тем</translation>
+    </message>
+    <message>
+        <source>the name of this copy</source>
+        <translation>имя этой копии</translation>
+    </message>
+    <message>
+        <source>what stands before sensor/… and port/… in each topic</source>
+        <translation>что стоит в каждой теме перед sensor/… и port/…</translation>
+    </message>
+    <message>
+        <source>Quality of service</source>
+        <translation>Качество доставки</translation>
+    </message>
+    <message>
+        <source>0: may get lost, 1: at least once, 2: exactly once</source>
+        <translation>0 — может потеряться, 1 — хотя бы раз, 2 — ровно один раз</translation>
+    </message>
+    <message>
+        <source>least time between two readings of one sensor; 0: all</source>
+        <translation>наименьшее время между двумя показаниями датчика; 0 — все</translation>
+    </message>
+    <message>
+        <source>Queue at most</source>
+        <translation>Очередь не более</translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation>%1 МиБ</translation>
+    </message>
+    <message>
+        <source>readings that wait on the disk while the broker is away</source>
+        <translation>показания ждут на диске, пока брокера нет</translation>
+    </message>
+    <message>
+        <source>Metrics for Prometheus</source>
+        <translation>Метрики для Prometheus</translation>
+    </message>
+    <message>
+        <source>port %1</source>
+        <translation>порт %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>выключены</translation>
+    </message>
+    <message>
+        <source>number of the IP port where counters are served</source>
+        <translation>номер IP-порта, на котором отдаются счётчики</translation>
+    </message>
+    <message>
+        <source>Address of the metrics</source>
+        <translation>Адрес метрик</translation>
+    </message>
+    <message>
+        <source>IP address to serve on</source>
+        <translation>IP-адрес, на котором отдаются метрики</translation>
+    </message>
 </context>
 <context>
     <name>State</name>
@@ -2288,6 +2456,14 @@
     <message>
         <source>Another copy of the program sends from %1 to the MQTT broker: this copy does not send.</source>
         <translation>Из папки %1 брокеру MQTT передаёт другая копия программы: эта копия не передаёт.</translation>
+    </message>
+    <message>
+        <source>MQTT: connected</source>
+        <translation>MQTT: соединение есть</translation>
+    </message>
+    <message>
+        <source>MQTT: no broker, readings waiting: %1</source>
+        <translation>MQTT: брокера нет, ждут показаний: %1</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,14 @@ HistoryConfig historyConfig(const ApplicationSettings &settings)
     return history;
 }
 
+QString mqttText(const MqttStatus &status)
+{
+    if (status.isConnected) {
+        return Application::tr("MQTT: connected");
+    }
+    return Application::tr("MQTT: no broker, readings waiting: %1").arg(status.waiting);
+}
+
 } // namespace
 
 Application::Application(const ApplicationSettings &settings, QObject *parent)
@@ -61,6 +69,10 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     m_feeds = std::make_unique<Feeds>(Feeds::Site{
         m_settings.config, m_settings.dataFolder, m_settings.ownsDataFolder, m_registry, m_journal, *m_history,
         m_serversThread});
+    connect(m_feeds.get(), &Feeds::mqttStatusChanged, this, [this](const MqttStatus &status) {
+        m_mqttText = mqttText(status);
+        tellServerStatus();
+    });
     if (settings.config.servesModbus) {
         makeModbus();
     }
@@ -105,7 +117,8 @@ void Application::makeModbus()
     connect(&m_registry, &SensorRegistry::lineChanged, modbus, &ModbusServer::updateLine, Qt::QueuedConnection);
     connectDesk(modbus->desk());
     connect(modbus, &ModbusServer::stateChanged, this, [this](QModbusDevice::State state) {
-        Q_EMIT serverStatusChanged(modbusText(state));
+        m_modbusText = modbusText(state);
+        tellServerStatus();
     });
     modbus->updateReadings(m_registry.readings());
     for (const LineStatus &status : m_registry.lineStatuses()) {
@@ -213,6 +226,19 @@ QString Application::modbusText(QModbusDevice::State state) const
     return tr("Modbus TCP: off");
 }
 
+void Application::tellServerStatus()
+{
+    QStringList texts{m_modbusText, m_mqttText};
+    texts.removeAll(QString());
+    Q_EMIT serverStatusChanged(texts.join(QStringLiteral(" · ")));
+}
+
+/// What ended threads have queued for the journal: no event loop delivers it any more.
+void Application::hearLastWords()
+{
+    QCoreApplication::sendPostedEvents(&m_journal, QEvent::MetaCall);
+}
+
 bool Application::shutdown()
 {
     if (!m_isRunning) {
@@ -225,12 +251,15 @@ bool Application::shutdown()
     m_feeds->stop();
     // A line that hangs in the system must leave time for the files.
     bool haveAllEnded = m_acquisition.stop(m_settings.config.timing.exitLimit * 3 / 4);
+    // The files end last: what the others say at their end has to get there, and a server that hangs must not keep them.
+    const QDeadlineTimer servers(deadline.remainingTime() / 2);
+    haveAllEnded = m_serversThread.wait(servers) && haveAllEnded;
+    haveAllEnded = m_feeds->wait(servers) && haveAllEnded;
+    hearLastWords();
     m_journal.add(JournalKind::Off, tr("Gorizont Server ended"));
-    for (QThread *thread : {&m_storageThread, &m_serversThread, &m_printerThread}) {
-        thread->quit();
-        haveAllEnded = thread->wait(deadline) && haveAllEnded;
-    }
-    return m_feeds->wait(deadline) && haveAllEnded;
+    m_storageThread.quit();
+    haveAllEnded = m_storageThread.wait(deadline) && haveAllEnded;
+    return m_printerThread.wait(deadline) && haveAllEnded;
 }
 
 } // namespace gorizont

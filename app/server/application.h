@@ -62,7 +62,7 @@ public:
 Q_SIGNALS:
     /// A record of `_data` for the measurements tab.
     void measurementWritten(const QString &line);
-    /// What the Modbus server does, for the status bar.
+    /// What the Modbus server and the link to the broker do, for the status bar.
     void serverStatusChanged(const QString &text);
     /// All clients of \a service: once a second while there are any, and once after the last one left.
     void clientsChanged(const QString &service, const QList<gorizont::ClientInfo> &clients);
@@ -75,6 +75,8 @@ private:
     void makePrinter();
     void tellComplaints();
     QString modbusText(QModbusDevice::State state) const;
+    void tellServerStatus();
+    void hearLastWords();
 
     ApplicationSettings m_settings;
     SensorRegistry m_registry;
@@ -90,6 +92,8 @@ private:
     std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer
     std::vector<ClientDesk *> m_desks; ///< of the servers above, which own them
     std::unique_ptr<ReadingPrinter> m_printer; ///< empty: without --print-readings
+    QString m_modbusText;
+    QString m_mqttText;
     bool m_isRunning = false;
 };
 

@@ -91,6 +91,7 @@ void Feeds::makeMqtt(const Site &site)
         &site.registry, &SensorRegistry::readingsChanged, mqtt, &MqttPublisher::updateReadings, Qt::DirectConnection);
     connect(&site.registry, &SensorRegistry::lineChanged, mqtt, &MqttPublisher::updateLine, Qt::DirectConnection);
     connect(mqtt, &MqttPublisher::journal, &site.journal, &Journal::append);
+    connect(mqtt, &MqttPublisher::statusChanged, this, &Feeds::mqttStatusChanged);
     if (m_metrics) {
         MetricsBoard *board = &m_metrics->board();
         board->put(QStringLiteral("mqtt"), mqttMetrics({}));

@@ -43,6 +43,10 @@ public:
     /// After stop(). False: the publisher's thread did not end in time.
     bool wait(const QDeadlineTimer &deadline) { return m_mqttThread.wait(deadline); }
 
+Q_SIGNALS:
+    /// At most once a second.
+    void mqttStatusChanged(const gorizont::MqttStatus &status);
+
 private:
     void makeMqtt(const Site &site);
     void makeMetrics(const Site &site);

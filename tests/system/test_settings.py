@@ -106,6 +106,10 @@ class StartAndEnd(unittest.TestCase):
             begin = time.monotonic()
             self.assertEqual(server.stop(), 0)
             self.assertLess(time.monotonic() - begin, 20)
+            # What the servers say at their end gets into the file, before the program's own last word.
+            last = site.file_text("log").splitlines()[-3:]
+            self.assertRegex(last[0] + last[1], "ADC24 TCP: .*Modbus TCP: |Modbus TCP: .*ADC24 TCP: ")
+            self.assertIn("Gorizont Server", last[2])
 
     def test_p_exit_is_the_end_of_all_waiting(self):
         """The thread that prints hangs in the system: nobody reads what it writes."""

@@ -131,7 +131,9 @@ private Q_SLOTS:
     {
         const SensorRegistry registry(test::sampleConfig().lines, StatusRules());
         const SteadyTime now = std::chrono::steady_clock::now();
-        const ServerConfig config = test::sampleConfig();
+        ServerConfig config = test::sampleConfig();
+        config.mqtt.host = QStringLiteral("broker.example");
+        config.metrics.port = 9100;
         for (const Property &property : portProperties(registry.lines().front(), now)
                  + sensorProperties(registry.sensors().front(), LineState::Open, now) + serverSettings(config)
                  + lineSettings(config, config.lines.first())
@@ -200,10 +202,28 @@ private Q_SLOTS:
                 "[Программа]\nЗаголовок окна | Gorizont Server (тест)\nЯзык | ru\nСерийный номер копии | —\n"
                 "Портов в списке | 3\nЗапрашивать информацию | нет\nБуферов в файле | 1\n"
                 "Ускорение св. падения, м/с² | 9.81347\nБиты статуса прежней программы | нет\n"
-                "IP порт ADC24 | 503\nИнтерфейс OPC DA | нет\n"
+                "Интерфейс OPC DA | нет\n"
                 "[Modbus TCP]\nСервер Modbus TCP | да\nПорядок датчиков | по типам\nПервый регистр | 0\n"
                 "Клиентов не более | 64\nОтключать молчащих клиентов | через 600 с\nАдрес сервера | все\n"
-                "Разрешённые клиенты | все"));
+                "Разрешённые клиенты | все\n"
+                "[ADC24 TCP]\nСервер ADC24 TCP | да\nIP порт ADC24 | 503\nОтдаваемый акселерометр | первый\n"
+                "Отдаваемая ось | X\n[MQTT]\nБрокер | нет\n[Metrics]\nМетрики для Prometheus | выключены"));
+    }
+
+    void brokerAndMetrics()
+    {
+        ServerConfig config = test::sampleConfig();
+        config.mqtt.host = QStringLiteral("broker.example");
+        config.mqtt.user = QStringLiteral("site7");
+        config.mqtt.password = QStringLiteral("secret");
+        config.metrics.port = 9100;
+        const QString settings = text(serverSettings(config));
+        QVERIFY(settings.contains(QStringLiteral("[MQTT]\nБрокер | broker.example\nПорт брокера | 1883\n")));
+        QVERIFY(settings.contains(QStringLiteral("Пользователь | site7\n")));
+        QVERIFY(settings.contains(QStringLiteral("Очередь не более | 64 МиБ\n")));
+        QVERIFY(settings.contains(
+            QStringLiteral("[Metrics]\nМетрики для Prometheus | порт 9100\nАдрес метрик | 127.0.0.1")));
+        QVERIFY(!settings.contains(QStringLiteral("secret")));
     }
 
     /// The row shows the inverse of CanClose (spec/gorizont.md, section 1).
@@ -250,6 +270,7 @@ private Q_SLOTS:
     {
         const ServerConfig config =
             readServerConfig(IniFile::fromBytes("[Common]\nNumOfPorts=1\n[Sleeps]\nSCRCErr=-5\n"
+                                                "[ADC24]\nSensor=-1\n"
                                                 "[Port1]\nNum=4\nOn=1\nNumOfSensors=1\nName1=AN-D3\nadr1=300\nOn1=1\n"))
                 .config;
         QStringList marked;
@@ -264,6 +285,8 @@ private Q_SLOTS:
             QStringList(
                 {QStringLiteral("[Sleeps] SCRCError SCRCError в файле указано «-5», это значение использовать нельзя; "
                                 "используется «600 мс»"),
+                 QStringLiteral("[ADC24] Sensor Отдаваемый акселерометр в файле указано «-1», это значение "
+                                "использовать нельзя; используется «первый»"),
                  QStringLiteral("[Port1] On1 Опрос в файле указано «1», это значение использовать нельзя; "
                                 "используется «нет»"),
                  QStringLiteral("[Port1] adr1 Адрес на линии в файле указано «300», это значение использовать нельзя; "

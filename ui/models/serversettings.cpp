@@ -1,5 +1,6 @@
 // The entries of the server (manual 000, section 4.6), then those the manual's list leaves out.
 
+#include "ui/models/networksettings.h"
 #include "ui/models/settingsproperties.h"
 #include "ui/models/settingssection.h"
 #include "ui/models/statetext.h"
@@ -133,42 +134,8 @@ void addProgram(const ServerConfig &config, Properties &list)
         "LegacyStatusBits", Settings::tr("Status bits of the original"), yesNo(config.hasLegacyStatusBits),
         Settings::tr("print the status words as the original program did?"));
     section.add(
-        "IPPort2", Settings::tr("IP port of ADC24"), QString::number(config.adc24Port),
-        Settings::tr("number of the IP port for ADC24 TCP"));
-    section.add(
         "CanOPCDA", Settings::tr("OPC DA interface"), yesNo(config.servesOpc),
         Settings::tr("serve OPC DA? Only one copy of the program may run then"));
-}
-
-void addModbus(const ServerConfig &config, Properties &list)
-{
-    SettingsSection section(config, list, QStringLiteral("[Modbus TCP]"), QStringLiteral("Common"));
-    section.add(
-        "CanModbus", Settings::tr("Modbus TCP server"), yesNo(config.servesModbus),
-        Settings::tr("serve readings over Modbus TCP?"));
-    section.add(
-        "ModbusPacking", Settings::tr("Order of the sensors"),
-        config.modbusPacking == ModbusPacking::ByType ? Settings::tr("by type") : Settings::tr("by number"),
-        Settings::tr("in units 3 and 6: every sensor of the type in turn, or a place for every site number"));
-    section.add(
-        "ModbusBase", Settings::tr("First register"), QString::number(config.modbusBase),
-        Settings::tr("where the registers of units 3 and 6 start: 0 or 1"));
-    section.add(
-        "ModbusClients", Settings::tr("Clients at most"), QString::number(config.modbusClients),
-        Settings::tr("connections at the same time"));
-    section.add(
-        "ModbusIdle", Settings::tr("Cut off silent clients"),
-        config.modbusIdle.count() > 0 ? Settings::tr("after %1 s").arg(config.modbusIdle.count())
-                                      : Settings::tr("never"),
-        Settings::tr("how long a client may ask nothing"));
-    section.add(
-        "ModbusBind", Settings::tr("Address of the server"),
-        config.modbusBind.isEmpty() ? Settings::tr("all") : config.modbusBind,
-        Settings::tr("IP address of this computer to serve on"));
-    section.add(
-        "ModbusAllow", Settings::tr("Clients allowed"),
-        config.modbusAllow.isEmpty() ? Settings::tr("all") : config.modbusAllow.join(QStringLiteral(", ")),
-        Settings::tr("addresses and blocks of addresses that may connect"));
 }
 
 } // namespace
@@ -184,8 +151,7 @@ Properties serverSettings(const ServerConfig &config)
     addErrors(config, list);
     addMore(config, list);
     addProgram(config, list);
-    addModbus(config, list);
-    return list;
+    return list + networkSettings(config);
 }
 
 } // namespace gorizont

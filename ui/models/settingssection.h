@@ -27,6 +27,9 @@ public:
         add(QLatin1String(keys), name, value, note);
     }
 
+    /// What follows stands in another section of the file.
+    void readFrom(const QString &iniSection) { m_section = iniSection; }
+
     /// Entries that have no other name than their key.
     void addTime(const char *keys, std::chrono::milliseconds time, const QString &meaning);
     void addLimit(const char *key, int limit, const QString &meaning);

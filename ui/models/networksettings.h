@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/config/serverconfig.h"
+#include "ui/models/property.h"
+
+namespace gorizont {
+
+/// The last entries of the server: what is served to whom, and what is sent where.
+Properties networkSettings(const ServerConfig &config);
+
+} // namespace gorizont
