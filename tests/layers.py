@@ -19,6 +19,7 @@ ROOMS = {
     DEVICES: ["core/values", "core/protocol", "core/line"],
     "core/engine": ["core/values", "core/line", "core/devices/driver.h", "core/devices/drivercatalog.h"],
     "core/registry": ["core/values"],
+    "core/analysis": ["core/values"],
     "core/alarms": ["core/values", "core/config", "core/registry"],
     "core/history": ["core/values", "core/files", "core/config", "core/registry"],
     "core/net": ["core/values"],
@@ -28,6 +29,7 @@ ROOMS = {
     "core/metrics": ["core/values", "core/config", "core/registry"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
+    "ui/plots": ["ui", "core/values", "core/config", "core/registry", "core/analysis", "core/history/historysource.h"],
     "ui/service": [
         "ui", "core/values", "core/config", "core/registry", "core/engine/lineworker.h", "core/devices/addressscan.h",
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
