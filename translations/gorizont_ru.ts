@@ -242,6 +242,77 @@
     </message>
 </context>
 <context>
+    <name>PlotText</name>
+    <message>
+        <source>Tilt</source>
+        <translation>Наклон</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Температура</translation>
+    </message>
+    <message>
+        <source>Heater power</source>
+        <translation>Мощность подогрева</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Вентилятор</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Ускорение</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Направление</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Перемещение</translation>
+    </message>
+    <message>
+        <source>rev/s</source>
+        <translation>об/с</translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>мм/с²</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>P of the heater</source>
+        <translation>P подогрева</translation>
+    </message>
+    <message>
+        <source>Frequency of the fan</source>
+        <translation>Частота вентилятора</translation>
+    </message>
+    <message>
+        <source>Direction of Amax</source>
+        <translation>Направление Amax</translation>
+    </message>
+    <message>
+        <source>Displacement X</source>
+        <translation>Перемещение X</translation>
+    </message>
+    <message>
+        <source>Displacement Y</source>
+        <translation>Перемещение Y</translation>
+    </message>
+    <message>
+        <source>%1 d %2</source>
+        <translation>%1 сут %2</translation>
+    </message>
+</context>
+<context>
     <name>PortPage</name>
     <message>
         <source>Comment</source>
@@ -2307,6 +2378,17 @@
     </message>
 </context>
 <context>
+    <name>WindowPages</name>
+    <message>
+        <source>Trends</source>
+        <translation>Графики</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Перемещения</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::AlarmWatch</name>
     <message numerus="yes">
         <source>Accepted by the dispatcher: %n message(s)</source>
@@ -2775,6 +2857,17 @@
     </message>
 </context>
 <context>
+    <name>gorizont::CurveChooser</name>
+    <message>
+        <source>Find a sensor</source>
+        <translation>Найти датчик</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>Что показано</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::DeskSentences</name>
     <message>
         <source>%1: serving on port %2.</source>
@@ -2855,6 +2948,69 @@
     <message>
         <source>%1: client %2 was disconnected to make room: as many clients as ModbusClients allows, and it was silent the longest.</source>
         <translation>%1: клиент %2 отключён, чтобы освободить место: клиентов столько, сколько разрешает ModbusClients, а он молчал дольше всех.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::DisplacementPage</name>
+    <message>
+        <source>Chain %1</source>
+        <translation>Цепочка %1</translation>
+    </message>
+    <message>
+        <source>Chain %1: %2</source>
+        <translation>Цепочка %1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Store as zero</source>
+        <translation>&amp;Запомнить как нуль</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the zero…</source>
+        <translation>З&amp;абыть нуль…</translation>
+    </message>
+    <message>
+        <source>Chain of sensors</source>
+        <translation>Цепочка датчиков</translation>
+    </message>
+    <message>
+        <source>Keeps the present shape, to see what changes from now on</source>
+        <translation>Запоминает нынешнее положение, чтобы видеть изменения с этого момента</translation>
+    </message>
+    <message>
+        <source>The configuration names no chain of sensors ([Chain1]).</source>
+        <translation>В конфигурации нет ни одной цепочки датчиков ([Chain1]).</translation>
+    </message>
+    <message>
+        <source>Zero of %1</source>
+        <translation>Нуль от %1</translation>
+    </message>
+    <message>
+        <source>No zero is stored.</source>
+        <translation>Нуль не сохранён.</translation>
+    </message>
+    <message>
+        <source>The shape ends below the first sensor without a valid tilt.</source>
+        <translation>Линия кончается ниже первого датчика, наклон которого недостоверен.</translation>
+    </message>
+    <message>
+        <source>The zero was not stored: %1. Check the disk and the rights, then try again.</source>
+        <translation>Нуль не сохранён: %1. Проверьте диск и права доступа и повторите.</translation>
+    </message>
+    <message>
+        <source>Forget the zero of %1?</source>
+        <translation>Забыть нуль от %1?</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Забыть</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Отмена</translation>
+    </message>
+    <message>
+        <source>The zero was not removed: %1. Check the rights, then try again.</source>
+        <translation>Нуль не удалён: %1. Проверьте права доступа и повторите.</translation>
     </message>
 </context>
 <context>
@@ -3559,6 +3715,120 @@
     </message>
 </context>
 <context>
+    <name>gorizont::ProfileModel</name>
+    <message>
+        <source>Number of the sensor</source>
+        <translation>Номер датчика</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>№</translation>
+    </message>
+    <message>
+        <source>Where the sensor is installed</source>
+        <translation>Где установлен датчик</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место</translation>
+    </message>
+    <message>
+        <source>Upper end of the link over the foot of the chain, m</source>
+        <translation>Высота верхнего конца звена над основанием цепочки, м</translation>
+    </message>
+    <message>
+        <source>H, m</source>
+        <translation>H, м</translation>
+    </message>
+    <message>
+        <source>Tilt along X, degrees</source>
+        <translation>Наклон по X, градусы</translation>
+    </message>
+    <message>
+        <source>Mx, °</source>
+        <translation>Mx, °</translation>
+    </message>
+    <message>
+        <source>Tilt along Y, degrees</source>
+        <translation>Наклон по Y, градусы</translation>
+    </message>
+    <message>
+        <source>My, °</source>
+        <translation>My, °</translation>
+    </message>
+    <message>
+        <source>Displacement along X over the link, L·sin α, mm</source>
+        <translation>Перемещение по X на звене, L·sin α, мм</translation>
+    </message>
+    <message>
+        <source>Link X, mm</source>
+        <translation>Звено X, мм</translation>
+    </message>
+    <message>
+        <source>Displacement along Y over the link, L·sin α, mm</source>
+        <translation>Перемещение по Y на звене, L·sin α, мм</translation>
+    </message>
+    <message>
+        <source>Link Y, mm</source>
+        <translation>Звено Y, мм</translation>
+    </message>
+    <message>
+        <source>Displacement along X over the foot of the chain, mm</source>
+        <translation>Перемещение по X относительно основания цепочки, мм</translation>
+    </message>
+    <message>
+        <source>X, mm</source>
+        <translation>X, мм</translation>
+    </message>
+    <message>
+        <source>Displacement along Y over the foot of the chain, mm</source>
+        <translation>Перемещение по Y относительно основания цепочки, мм</translation>
+    </message>
+    <message>
+        <source>Y, mm</source>
+        <translation>Y, мм</translation>
+    </message>
+    <message>
+        <source>Displacement along X since the zero was stored, mm</source>
+        <translation>Перемещение по X с момента, когда запомнен нуль, мм</translation>
+    </message>
+    <message>
+        <source>ΔX, mm</source>
+        <translation>ΔX, мм</translation>
+    </message>
+    <message>
+        <source>Displacement along Y since the zero was stored, mm</source>
+        <translation>Перемещение по Y с момента, когда запомнен нуль, мм</translation>
+    </message>
+    <message>
+        <source>ΔY, mm</source>
+        <translation>ΔY, мм</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ProfilePlot</name>
+    <message>
+        <source>Displacement along X, mm</source>
+        <translation>Перемещение по X, мм</translation>
+    </message>
+    <message>
+        <source>Displacement along Y, mm</source>
+        <translation>Перемещение по Y, мм</translation>
+    </message>
+    <message>
+        <source>Height, m</source>
+        <translation>Высота, м</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>сейчас</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>нуль</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::PropertyModel</name>
     <message>
         <source>Parameter</source>
@@ -3575,6 +3845,33 @@
     <message>
         <source>in the configuration file: %1</source>
         <translation>в файле настроек: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::RangeActions</name>
+    <message>
+        <source>10 min</source>
+        <translation>10 мин</translation>
+    </message>
+    <message>
+        <source>1 h</source>
+        <translation>1 ч</translation>
+    </message>
+    <message>
+        <source>1 day</source>
+        <translation>1 сут</translation>
+    </message>
+    <message>
+        <source>1 week</source>
+        <translation>1 нед</translation>
+    </message>
+    <message>
+        <source>1 month</source>
+        <translation>1 мес</translation>
+    </message>
+    <message>
+        <source>1 year</source>
+        <translation>1 год</translation>
     </message>
 </context>
 <context>
@@ -4082,6 +4379,53 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Messages for the dispatcher: %1</source>
         <translation>Сообщений для диспетчера: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::TrendsPage</name>
+    <message>
+        <source>Nothing is drawn yet. Tick values in the list on the left, or drag a sensor from the tree into this field.</source>
+        <translation>Пока ничего не показано. Отметьте величины в списке слева или перетащите сюда датчик из дерева.</translation>
+    </message>
+    <message>
+        <source>There are no values in this span. Choose a longer span, or move to another time by dragging.</source>
+        <translation>За это время значений нет. Выберите больший промежуток или перейдите к другому времени перетаскиванием.</translation>
+    </message>
+    <message>
+        <source>The archive does not answer; only what comes now is drawn. The journal says why.</source>
+        <translation>Архив не отвечает; показано только то, что приходит сейчас. Причина указана в журнале.</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Чтение…</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>График</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
+        <source>The right end is the present moment and moves on with it (End)</source>
+        <translation>Правый край — текущий момент и движется вместе с ним (End)</translation>
+    </message>
+    <message>
+        <source>In what angles are drawn</source>
+        <translation>В чём показаны углы</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>градусы</translation>
+    </message>
+    <message>
+        <source>arc-seconds</source>
+        <translation>угл. секунды</translation>
     </message>
 </context>
 <context>

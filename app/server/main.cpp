@@ -2,6 +2,7 @@
 #include "app/server/demosite.h"
 #include "app/server/singleinstance.h"
 #include "app/server/startup.h"
+#include "app/server/windowpages.h"
 #include "app/unixsignals.h"
 #include "core/modbus/registerdocument.h"
 #include "translations/translation.h"
@@ -101,6 +102,7 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
         application.registry(), application.journal(), application.alarms(), site.reading.config,
         site.reading.complaints);
     window.offerService([&application](int port) { return application.worker(port); }, application.journal());
+    addWindowPages(window, application.registry(), {{}, site.dataFolder});
     const TrayIcon tray(window, application.registry(), application.alarms());
     QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);

@@ -4,6 +4,7 @@
 #include "core/values/displacement.h"
 #include "core/values/lineconfig.h"
 #include "core/values/linestatus.h"
+#include "core/values/quantity.h"
 #include "core/values/reading.h"
 #include "core/values/sampleblock.h"
 #include "core/values/statusword.h"
@@ -52,6 +53,8 @@ public:
     /// their tilt means there.
     void setChains(const QList<ChainConfig> &chains);
     const QList<ChainConfig> &chains() const { return m_chains; }
+    /// What sensor \a number measures, and what its chain makes of it.
+    QList<Quantity> quantitiesOf(int number) const;
     /// The nodes of \a chain by the last readings.
     std::vector<ChainNode> nodesOf(const ChainConfig &chain) const;
 

@@ -22,6 +22,7 @@ int decimals(ValueAxis axis, TiltUnit unit)
     switch (axis) {
     case ValueAxis::Tilt: return unit == TiltUnit::Degrees ? 4 : 1;
     case ValueAxis::Temperature:
+    case ValueAxis::Displacement:
     case ValueAxis::Acceleration: return 2;
     case ValueAxis::Power:
     case ValueAxis::Frequency:
@@ -39,6 +40,7 @@ QString axisName(ValueAxis axis)
     case ValueAxis::Frequency: return PlotText::tr("Fan");
     case ValueAxis::Acceleration: return PlotText::tr("Acceleration");
     case ValueAxis::Direction: return PlotText::tr("Direction");
+    case ValueAxis::Displacement: return PlotText::tr("Displacement");
     }
     return {};
 }
@@ -54,6 +56,8 @@ ValueAxis axisOf(Quantity quantity)
     case Quantity::HeaterPower: return ValueAxis::Power;
     case Quantity::FanFrequency: return ValueAxis::Frequency;
     case Quantity::AccelDirection: return ValueAxis::Direction;
+    case Quantity::DisplacementX:
+    case Quantity::DisplacementY: return ValueAxis::Displacement;
     default: return ValueAxis::Acceleration;
     }
 }
@@ -73,6 +77,7 @@ QString unitOf(ValueAxis axis, TiltUnit unit)
     case ValueAxis::Frequency: return PlotText::tr("rev/s");
     case ValueAxis::Acceleration: return PlotText::tr("mm/s²");
     case ValueAxis::Direction: return QStringLiteral("°");
+    case ValueAxis::Displacement: return PlotText::tr("mm");
     }
     return {};
 }
@@ -99,6 +104,8 @@ QString quantity(Quantity quantity)
     case Quantity::AccelDirection: return PlotText::tr("Direction of Amax");
     case Quantity::SampleX: return QStringLiteral("Ax");
     case Quantity::SampleY: return QStringLiteral("Ay");
+    case Quantity::DisplacementX: return PlotText::tr("Displacement X");
+    case Quantity::DisplacementY: return PlotText::tr("Displacement Y");
     }
     return {};
 }
