@@ -124,7 +124,7 @@ void GapLedger::begin(int number, Sensor &sensor, GapReason reason, bool isCerta
 {
     if (!sensor.gap) {
         const UtcTime from = sensor.validAt.value_or(at);
-        sensor.gap = Gap{number, from, at, reason, true, {}};
+        sensor.gap = Gap{number, from, {}, reason, {}};
         sensor.isReasonCertain = isCertain;
         return;
     }
@@ -143,7 +143,7 @@ void GapLedger::begin(int number, Sensor &sensor, GapReason reason, bool isCerta
         return;
     }
     end(sensor, turn);
-    sensor.gap = Gap{number, turn, at, reason, true, {}};
+    sensor.gap = Gap{number, turn, {}, reason, {}};
     sensor.isReasonCertain = true;
 }
 
@@ -153,10 +153,10 @@ void GapLedger::end(Sensor &sensor, UtcTime at)
         return;
     }
     Gap gap = *std::exchange(sensor.gap, std::nullopt);
-    gap.to = std::max(at, gap.from);
-    gap.isOpen = false;
-    sensor.validAt = gap.to;
-    if (std::exchange(sensor.isGapTold, false) || gap.to - gap.from >= m_rules.shortest) {
+    const UtcTime to = std::max(at, gap.from);
+    gap.to = to;
+    sensor.validAt = to;
+    if (std::exchange(sensor.isGapTold, false) || to - gap.from >= m_rules.shortest) {
         m_changes.append(gap);
     }
 }
@@ -168,9 +168,9 @@ void GapLedger::clockStepped(UtcTime before, UtcTime after)
         if (sensor.gap && after < before) {
             const Gap gap = *sensor.gap;
             end(sensor, before);
-            sensor.gap = Gap{number, after, after, gap.reason, true, {}};
+            sensor.gap = Gap{number, after, {}, gap.reason, {}};
         } else if (!sensor.gap && after > before && sensor.validAt) {
-            m_changes.append({number, before, after, GapReason::Clock, false, {}});
+            m_changes.append({number, before, after, GapReason::Clock, {}});
         }
         sensor.validAt = after;
     }
@@ -179,7 +179,7 @@ void GapLedger::clockStepped(UtcTime before, UtcTime after)
 void GapLedger::addLost(int number, const TimeSpan &span)
 {
     if (span.from < span.to) {
-        m_changes.append({number, span.from, span.to, GapReason::Disk, false, {}});
+        m_changes.append({number, span.from, span.to, GapReason::Disk, {}});
     }
 }
 
@@ -190,7 +190,6 @@ void GapLedger::tick(UtcTime now)
             begin(number, sensor, GapReason::NoAnswer, false, now);
         }
         if (sensor.gap && !sensor.isGapTold && now - sensor.gap->from >= m_rules.shortest) {
-            sensor.gap->to = now;
             sensor.isGapTold = true;
             m_changes.append(*sensor.gap);
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/archive/gap.h"
+#include "core/values/gap.h"
 #include "core/values/lineconfig.h"
 #include "core/values/linestatus.h"
 #include "core/values/reading.h"

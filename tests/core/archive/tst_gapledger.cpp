@@ -1,4 +1,5 @@
 #include "core/archive/gapledger.h"
+#include "core/archive/gapmath.h"
 #include "core/values/statusword.h"
 
 #include <QTest>
@@ -59,7 +60,7 @@ LineStatus port(LineState state)
     return status;
 }
 
-/// `1 NoAnswer 0…5` seconds after noon; `+` when it goes on.
+/// `NoAnswer 0…5` in seconds after noon; `NoAnswer 0…` goes on.
 QStringList texts(const QList<Gap> &gaps, int number = 1)
 {
     static const char *const names[] = {"",    "SensorOff",   "PortOff", "PortError",      "NoAnswer",
@@ -71,10 +72,10 @@ QStringList texts(const QList<Gap> &gaps, int number = 1)
             const auto seconds = [](UtcTime time) {
                 return QString::number(std::chrono::duration<double>(time - noon).count());
             };
-            list.append(QStringLiteral("%1 %2…%3%4")
+            list.append(QStringLiteral("%1 %2…%3")
                             .arg(
-                                QLatin1String(names[static_cast<int>(gap.reason)]), seconds(gap.from), seconds(gap.to),
-                                gap.isOpen ? QStringLiteral("+") : QString()));
+                                QLatin1String(names[static_cast<int>(gap.reason)]), seconds(gap.from),
+                                gap.to ? seconds(*gap.to) : QString()));
         }
     }
     return list;
@@ -135,7 +136,7 @@ void TestGapLedger::tellsSilenceWhenItBeginsAndEnds()
         ledger.tick(noon + second * 1s);
     }
     const QList<Gap> begun = ledger.takeChanges();
-    QCOMPARE(texts(begun), QStringList{QStringLiteral("NoAnswer 1…4+")});
+    QCOMPARE(texts(begun), QStringList{QStringLiteral("NoAnswer 1…")});
     QCOMPARE(texts(begun, 2), QStringList());
     ledger.add(bad(1, noon + 12s, StatusCode::NoAnswer));
     ledger.add(good(1, noon + 13s));
@@ -164,7 +165,7 @@ void TestGapLedger::followsTheReason()
     ledger.add(bad(1, noon + 40s));
     ledger.add(good(1, noon + 41s));
     const QStringList expected{
-        QStringLiteral("NoAnswer 1…10+"), QStringLiteral("NoAnswer 1…20"), QStringLiteral("PortError 20…30+"),
+        QStringLiteral("NoAnswer 1…"), QStringLiteral("NoAnswer 1…20"), QStringLiteral("PortError 20…"),
         QStringLiteral("PortError 20…41")};
     QCOMPARE(texts(ledger.takeChanges()), expected);
 }
@@ -188,8 +189,8 @@ void TestGapLedger::tellsServiceAndOff()
     ledger.tick(noon + 60s);
     ledger.add(good(1, noon + 62s));
     const QList<Gap> changes = ledger.takeChanges();
-    QCOMPARE(texts(changes), (QStringList{QStringLiteral("Service 1…60+"), QStringLiteral("Service 1…62")}));
-    QCOMPARE(texts(changes, 3), QStringList{QStringLiteral("PortOff 0…60+")});
+    QCOMPARE(texts(changes), (QStringList{QStringLiteral("Service 1…"), QStringLiteral("Service 1…62")}));
+    QCOMPARE(texts(changes, 3), QStringList{QStringLiteral("PortOff 0…")});
 }
 
 void TestGapLedger::tellsADeviceThatIsNotWell()
@@ -215,7 +216,7 @@ void TestGapLedger::knowsThatTheProgramWasAway()
     const QList<Gap> changes = ledger.takeChanges();
     QCOMPARE(texts(changes), QStringList{QStringLiteral("ProgramStopped -3600…2")});
     QCOMPARE(texts(changes, 2), QStringList());
-    QCOMPARE(texts(changes, 3), (QStringList{QStringLiteral("ProgramStopped -60…0"), QStringLiteral("PortOff 0…5+")}));
+    QCOMPARE(texts(changes, 3), (QStringList{QStringLiteral("ProgramStopped -60…0"), QStringLiteral("PortOff 0…")}));
 }
 
 void TestGapLedger::knowsThatTheProgramWasAwayAndThePortIsNot()
@@ -225,7 +226,7 @@ void TestGapLedger::knowsThatTheProgramWasAwayAndThePortIsNot()
     ledger.add(bad(1, noon + 1s));
     ledger.add(bad(1, noon + 9s, StatusCode::NoAnswer));
     ledger.tick(noon + 10s);
-    const QStringList expected{QStringLiteral("ProgramStopped -3600…0"), QStringLiteral("NoAnswer 0…10+")};
+    const QStringList expected{QStringLiteral("ProgramStopped -3600…0"), QStringLiteral("NoAnswer 0…")};
     QCOMPARE(texts(ledger.takeChanges()), expected);
 }
 
@@ -235,7 +236,7 @@ void TestGapLedger::noticesThatNothingComesAtAll()
     ledger.tick(noon + 9s);
     QCOMPARE(texts(ledger.takeChanges()), QStringList());
     ledger.tick(noon + 12s);
-    QCOMPARE(texts(ledger.takeChanges()), QStringList{QStringLiteral("NoAnswer 1…12+")});
+    QCOMPARE(texts(ledger.takeChanges()), QStringList{QStringLiteral("NoAnswer 1…")});
     Reading slow = good(2, noon + 20s);
     slow.period = 60s;
     ledger.add(slow);
@@ -243,7 +244,7 @@ void TestGapLedger::noticesThatNothingComesAtAll()
     ledger.tick(noon + 300s);
     QCOMPARE(texts(ledger.takeChanges(), 2), QStringList());
     ledger.tick(noon + 321s);
-    QCOMPARE(texts(ledger.takeChanges(), 2), QStringList{QStringLiteral("NoAnswer 20…321+")});
+    QCOMPARE(texts(ledger.takeChanges(), 2), QStringList{QStringLiteral("NoAnswer 20…")});
 }
 
 void TestGapLedger::acceptsClockSteps()
@@ -283,38 +284,40 @@ void TestGapLedger::stopEndsWhatIsOpen()
 void TestGapLedger::fillsParts()
 {
     const QList<Gap> gaps{
-        {1, noon, noon + 10s, GapReason::NoAnswer, false, {}}, {1, noon + 20s, noon + 30s, GapReason::Crc, false, {}}};
+        {1, noon, noon + 10s, GapReason::NoAnswer, {}}, {1, noon + 20s, noon + 30s, GapReason::Crc, {}}};
     const QString ring = QStringLiteral("ring");
     const QList<Gap> expected{
-        {1, noon, noon + 4s, GapReason::NoAnswer, false, {}},
-        {1, noon + 4s, noon + 10s, GapReason::NoAnswer, false, ring},
-        {1, noon + 20s, noon + 25s, GapReason::Crc, false, ring},
-        {1, noon + 25s, noon + 30s, GapReason::Crc, false, {}}};
+        {1, noon, noon + 4s, GapReason::NoAnswer, {}},
+        {1, noon + 4s, noon + 10s, GapReason::NoAnswer, ring},
+        {1, noon + 20s, noon + 25s, GapReason::Crc, ring},
+        {1, noon + 25s, noon + 30s, GapReason::Crc, {}}};
     QCOMPARE(filled(gaps, {noon + 4s, noon + 25s}, ring), expected);
     QCOMPARE(filled(expected, {noon + 4s, noon + 25s}, QStringLiteral("other")), expected);
-    const QList<Gap> open{{1, noon, noon + 10s, GapReason::NoAnswer, true, {}}};
-    QCOMPARE(
-        filled(open, {noon, noon + 10s}, ring).last(), (Gap{1, noon + 10s, noon + 10s, GapReason::NoAnswer, true, {}}));
+    const QList<Gap> open{{1, noon, {}, GapReason::NoAnswer, {}}};
+    const QList<Gap> both{
+        {1, noon, noon + 10s, GapReason::NoAnswer, ring}, {1, noon + 10s, {}, GapReason::NoAnswer, {}}};
+    QCOMPARE(filled(open, {noon - 5s, noon + 10s}, ring), both);
 }
 
 void TestGapLedger::countsCompleteness()
 {
     const UtcTime midnight = noon + 12h;
     const QList<Gap> gaps{
-        {1, noon + 9h, noon + 15h, GapReason::NoAnswer, false, {}},
-        {1, noon + 10h, noon + 11h, GapReason::Disk, false, {}},
-        {1, midnight + 4h, midnight + 5h, GapReason::Crc, false, QStringLiteral("ring")}};
-    const QList<DayCompleteness> expected{{QDate(2024, 12, 31), 0.75}, {QDate(2025, 1, 1), 0.875}};
-    QCOMPARE(completeness(gaps, {noon, midnight + 24h}, QTimeZone::utc()), expected);
-    QCOMPARE(completeness(gaps, {noon, noon}, QTimeZone::utc()), QList<DayCompleteness>());
+        {1, noon + 9h, noon + 15h, GapReason::NoAnswer, {}},
+        {1, noon + 10h, noon + 11h, GapReason::Disk, {}},
+        {1, midnight + 4h, midnight + 5h, GapReason::Crc, QStringLiteral("ring")},
+        {1, midnight + 21h, {}, GapReason::Crc, {}}};
+    const QList<DayCompleteness> expected{{1, QDate(2024, 12, 31), 9h, 12h}, {1, QDate(2025, 1, 1), 18h, 24h}};
+    QCOMPARE(completeness(1, gaps, {noon, midnight + 24h}, QTimeZone::utc()), expected);
+    QCOMPARE(completeness(1, gaps, {noon, noon}, QTimeZone::utc()), QList<DayCompleteness>());
 }
 
 /// Noon in Greenwich is three in the afternoon there.
 void TestGapLedger::countsDaysOfTheZone()
 {
-    const QList<Gap> gaps{{1, noon, noon + 9h, GapReason::NoAnswer, false, {}}};
-    const auto days = completeness(gaps, {noon - 15h, noon + 10h}, QTimeZone(3 * 3600));
-    const QList<DayCompleteness> expected{{QDate(2024, 12, 31), 0.625}, {QDate(2025, 1, 1), 1}};
+    const QList<Gap> gaps{{2, noon, noon + 9h, GapReason::NoAnswer, {}}};
+    const auto days = completeness(2, gaps, {noon - 15h, noon + 10h}, QTimeZone(3 * 3600));
+    const QList<DayCompleteness> expected{{2, QDate(2024, 12, 31), 15h, 24h}, {2, QDate(2025, 1, 1), 1h, 1h}};
     QCOMPARE(days, expected);
 }
 

@@ -1,4 +1,4 @@
-#include "core/archive/gap.h"
+#include "core/archive/gapmath.h"
 
 #include <QDateTime>
 
@@ -26,8 +26,8 @@ std::chrono::microseconds missingIn(const QList<Gap> &sorted, const TimeSpan &sp
     UtcTime done = span.from;
     for (const Gap &gap : sorted) {
         const UtcTime from = std::max(gap.from, done);
-        const UtcTime to = std::min(gap.to, span.to);
-        if (gap.source.isEmpty() && to > from) {
+        const UtcTime to = std::min(gap.to.value_or(span.to), span.to);
+        if (gap.filledFrom.isEmpty() && to > from) {
             missing += to - from;
             done = to;
         }
@@ -42,22 +42,21 @@ QList<Gap> filled(const QList<Gap> &gaps, const TimeSpan &span, const QString &s
     QList<Gap> result;
     for (const Gap &gap : gaps) {
         const UtcTime from = std::max(gap.from, span.from);
-        const UtcTime to = std::min(gap.to, span.to);
-        if (from >= to || !gap.source.isEmpty()) {
+        const UtcTime to = std::min(gap.to.value_or(span.to), span.to);
+        if (from >= to || !gap.filledFrom.isEmpty()) {
             result.append(gap);
             continue;
         }
         Gap part = gap;
-        part.isOpen = false;
         if (gap.from < from) {
             part.to = from;
             result.append(part);
         }
         part.from = from;
         part.to = to;
-        part.source = source;
+        part.filledFrom = source;
         result.append(part);
-        if (to < gap.to || gap.isOpen) {
+        if (!gap.to || to < *gap.to) {
             part = gap;
             part.from = to;
             result.append(part);
@@ -66,7 +65,7 @@ QList<Gap> filled(const QList<Gap> &gaps, const TimeSpan &span, const QString &s
     return result;
 }
 
-QList<DayCompleteness> completeness(const QList<Gap> &gaps, const TimeSpan &known, const QTimeZone &zone)
+QList<DayCompleteness> completeness(int number, const QList<Gap> &gaps, const TimeSpan &known, const QTimeZone &zone)
 {
     QList<Gap> sorted = gaps;
     std::sort(sorted.begin(), sorted.end(), [](const Gap &a, const Gap &b) { return a.from < b.from; });
@@ -78,8 +77,8 @@ QList<DayCompleteness> completeness(const QList<Gap> &gaps, const TimeSpan &know
         const TimeSpan span{
             std::max(startOf(day, zone), known.from), std::min(startOf(day.addDays(1), zone), known.to)};
         if (span.from < span.to) {
-            const double missing = static_cast<double>(missingIn(sorted, span).count());
-            days.append({day, 1 - missing / static_cast<double>((span.to - span.from).count())});
+            const auto length = span.to - span.from;
+            days.append({number, day, length - missingIn(sorted, span), length});
         }
     }
     return days;
