@@ -45,6 +45,7 @@ bool SampleChunk::append(const SampleBlock &block)
 {
     const qsizetype count = std::min(block.x.size(), block.y.size());
     if (starts.empty()) {
+        followsPrevious = block.followsPrevious;
         rate = block.rate;
         scale = block.scale;
     } else if (
@@ -82,6 +83,7 @@ QByteArray encodeChunk(const SampleChunk &chunk)
     bytes.byte(chunkVersion);
     bytes.byte(static_cast<quint8>(ChunkKind::Samples));
     bytes.number(chunk.starts.size());
+    bytes.byte(chunk.followsPrevious ? 1 : 0);
     bytes.real(chunk.rate);
     bytes.real(chunk.scale);
     appendTimes(bytes, chunk.starts);
@@ -96,6 +98,7 @@ std::optional<SampleChunk> decodeSampleChunk(QByteArrayView bytes)
     ArchiveCursor cursor = ArchiveCursor::ofSealed(bytes);
     const quint64 count = takeChunkHead(cursor, ChunkKind::Samples);
     SampleChunk chunk;
+    chunk.followsPrevious = cursor.byte() != 0;
     chunk.rate = cursor.real();
     chunk.scale = cursor.real();
     chunk.starts = takeTimes(cursor, count);

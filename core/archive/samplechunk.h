@@ -11,10 +11,11 @@ namespace gorizont {
 
 /// Blocks of raw samples of one accelerometer, without a gap between them and all of one rate and scale. Pure.
 ///
-///     version 1 · kind 2 · count of blocks · rate (double) · scale (double)
+///     version 1 · kind 2 · count of blocks · byte: 1 the first block follows the chunk before · rate (double) · scale (double)
 ///     starts (integers, µs UTC) · sizes (integers) · x (integers) · y (integers) · CRC-32
 struct SampleChunk
 {
+    bool followsPrevious = false; ///< no sample is missing between the chunk before and this one
     double rate = 10; ///< samples a second
     double scale = 1; ///< mm/s² of one raw unit, with its sign
     std::vector<UtcTime> starts; ///< of the blocks

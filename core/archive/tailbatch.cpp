@@ -120,7 +120,7 @@ QByteArray TailBatch::take()
     return bytes.sealed();
 }
 
-std::optional<TailBatch::Contents> TailBatch::decode(QByteArrayView bytes, int only)
+std::optional<TailBatch::Contents> TailBatch::decode(QByteArrayView bytes, const QSet<int> &only)
 {
     ArchiveCursor cursor = ArchiveCursor::ofSealed(bytes);
     if (cursor.byte() != chunkVersion) {
@@ -135,7 +135,7 @@ std::optional<TailBatch::Contents> TailBatch::decode(QByteArrayView bytes, int o
             || (kind != ReadingItem && kind != BlockItem)) {
             return {};
         }
-        if (only != 0 && number != static_cast<quint64>(only)) {
+        if (!only.isEmpty() && !only.contains(static_cast<int>(number))) {
             continue;
         }
         if (kind == ReadingItem) {

@@ -4,6 +4,7 @@
 #include "core/values/sampleblock.h"
 
 #include <QByteArray>
+#include <QSet>
 
 #include <optional>
 
@@ -30,8 +31,8 @@ public:
     bool isEmpty() const { return m_items.isEmpty(); }
     QByteArray take();
 
-    /// With \a only, what other sensors sent is left out. Empty: \a bytes are damaged.
-    static std::optional<Contents> decode(QByteArrayView bytes, int only = 0);
+    /// What sensors that are not among \a only sent is left out; an empty set: nothing is. Empty: \a bytes are damaged.
+    static std::optional<Contents> decode(QByteArrayView bytes, const QSet<int> &only = {});
 
 private:
     QByteArray m_items;

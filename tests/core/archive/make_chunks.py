@@ -123,7 +123,7 @@ def samples():
     starts = [START, START + 3_200_000, START + 6_400_100]
     x = [(i * 37) % 201 - 100 for i in range(96)]
     y = [-32768 if i == 5 else 32767 if i == 6 else 0 for i in range(96)]
-    out = bytes([1, 2]) + number(3) + struct.pack("<dd", 10.0, -0.0059)
+    out = bytes([1, 2]) + number(3) + b"\1" + struct.pack("<dd", 10.0, -0.0059)
     out += integers(starts, 1, START, [21])
     out += integers([32] * 3, 0, 32, [63])
     out += integers(x, 1, -100, [6, 6])

@@ -119,6 +119,7 @@ void TestArchiveChunks::readsSamples()
 {
     const auto chunk = decodeSampleChunk(chunkFile(QStringLiteral("samples")));
     QVERIFY(chunk);
+    QVERIFY(chunk->followsPrevious);
     QCOMPARE(chunk->rate, 10.0);
     QCOMPARE(chunk->scale, -0.0059);
     QCOMPARE(chunk->x.size(), std::size_t{96});
@@ -153,8 +154,8 @@ void TestArchiveChunks::readsTail()
     const SampleBlock block{7, start + 1us, 10, 0.5, true, {-3, 4}, {32767, -32768}};
     QVERIFY(contents);
     QCOMPARE(*contents, (TailBatch::Contents{{reading}, {block}}));
-    QCOMPARE(*TailBatch::decode(chunkFile(QStringLiteral("tail")), 7), (TailBatch::Contents{{}, {block}}));
-    QCOMPARE(*TailBatch::decode(chunkFile(QStringLiteral("tail")), 8), TailBatch::Contents());
+    QCOMPARE(*TailBatch::decode(chunkFile(QStringLiteral("tail")), {7}), (TailBatch::Contents{{}, {block}}));
+    QCOMPARE(*TailBatch::decode(chunkFile(QStringLiteral("tail")), {8}), TailBatch::Contents());
 }
 
 void TestArchiveChunks::refusesDamage_data()
