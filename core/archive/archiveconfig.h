@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/values/lineconfig.h"
+
+#include <chrono>
+
+namespace gorizont {
+
+enum class ArchiveDriver : quint8 { Sqlite, PostgreSql };
+
+/// How long each kind of data is kept; 0: for ever.
+struct ArchiveRetention
+{
+    std::chrono::hours readings{0}; ///< at full rate
+    std::chrono::hours samples{0}; ///< raw ones of accelerometers
+    std::chrono::hours rollups{0}; ///< minutes, hours, days
+    std::chrono::hours events{0}; ///< and gaps
+    qint64 mostBytes = 0; ///< of the whole file: the oldest readings and samples go first, rollups last; 0: any size
+};
+
+/// What the archive has to know of the ini.
+struct ArchiveConfig
+{
+    ArchiveDriver driver = ArchiveDriver::Sqlite;
+    QString file; ///< SQLite: the file; its folder is created when needed
+    QString host; ///< PostgreSQL: name or address
+    int port = 5432; ///< PostgreSQL
+    QString database; ///< PostgreSQL
+    QString user; ///< PostgreSQL
+    QString password; ///< PostgreSQL
+    QString site; ///< PostgreSQL: the schema in which the tables of this site are
+    QList<LineConfig> lines;
+    ArchiveRetention retention;
+    std::chrono::milliseconds commitInterval{800}; ///< what a kill can lose
+    std::chrono::milliseconds retryInterval{3000}; ///< after a failure the store is asked this often
+    std::chrono::milliseconds retentionInterval{600'000};
+};
+
+} // namespace gorizont

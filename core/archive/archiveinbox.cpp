@@ -1,0 +1,78 @@
+#include "core/archive/archiveinbox.h"
+
+#include <QMutexLocker>
+
+#include <utility>
+
+namespace gorizont {
+
+void ArchiveInbox::put(const Readings &batch)
+{
+    const QMutexLocker lock(&m_mutex);
+    m_contents.readings.insert(m_contents.readings.end(), batch.begin(), batch.end());
+    if (m_contents.readings.size() > mostReadings) {
+        dropOldest();
+    }
+}
+
+/// A good part at once, so that it is not done again for every reading.
+void ArchiveInbox::dropOldest()
+{
+    const auto count = static_cast<std::ptrdiff_t>(m_contents.readings.size() - mostReadings * 9 / 10);
+    const auto end = m_contents.readings.begin() + count;
+    for (auto reading = m_contents.readings.begin(); reading != end; ++reading) {
+        if (reading->isAnswer) {
+            TimeSpan &span = m_contents.dropped[reading->number];
+            span.from = span == TimeSpan() ? reading->time : std::min(span.from, reading->time);
+            span.to = std::max(span.to, reading->time);
+        }
+    }
+    m_contents.readings.erase(m_contents.readings.begin(), end);
+}
+
+void ArchiveInbox::put(const LineStatus &status, UtcTime now)
+{
+    const QMutexLocker lock(&m_mutex);
+    const auto known = m_states.constFind(status.port);
+    if (known == m_states.constEnd() || *known != status.state) {
+        m_states.insert(status.port, status.state);
+        m_contents.lines.append({status, now});
+    }
+    if (m_contents.lines.size() > mostEntries) {
+        m_contents.lines.removeFirst();
+    }
+}
+
+void ArchiveInbox::put(const SampleBlock &block)
+{
+    const QMutexLocker lock(&m_mutex);
+    m_contents.blocks.append(block);
+    if (m_contents.blocks.size() > mostBlocks) {
+        m_contents.blocks.removeFirst();
+        ++m_contents.blocksDropped;
+    }
+}
+
+void ArchiveInbox::put(const JournalEntry &entry)
+{
+    const QMutexLocker lock(&m_mutex);
+    m_contents.entries.append(entry);
+    if (m_contents.entries.size() > mostEntries) {
+        m_contents.entries.removeFirst();
+        ++m_contents.entriesDropped;
+    }
+}
+
+ArchiveInbox::Contents ArchiveInbox::take()
+{
+    const QMutexLocker lock(&m_mutex);
+    return std::exchange(m_contents, {});
+}
+
+std::size_t ArchiveInbox::waitingReadings() const
+{
+    const QMutexLocker lock(&m_mutex);
+    return m_contents.readings.size();
+}
+
+} // namespace gorizont

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/values/journalentry.h"
+#include "core/values/linestatus.h"
+#include "core/values/reading.h"
+#include "core/values/sampleblock.h"
+#include "core/values/series.h"
+
+#include <QHash>
+#include <QMutex>
+
+#include <vector>
+
+namespace gorizont {
+
+/// What other threads left for the archive. A store that hangs must not eat the memory: beyond the limits the oldest are
+/// dropped, and it is known of which sensor and time they were. Thread-safe.
+class ArchiveInbox
+{
+public:
+    static constexpr std::size_t mostReadings = 200'000;
+    static constexpr qsizetype mostBlocks = 20'000; ///< of all sensors together
+    static constexpr qsizetype mostEntries = 10'000;
+
+    struct LineChange
+    {
+        LineStatus status;
+        UtcTime time;
+    };
+    struct Contents
+    {
+        std::vector<Reading> readings; ///< in the order of arrival, like the others
+        QList<LineChange> lines; ///< only changes of the state
+        QList<SampleBlock> blocks;
+        QList<JournalEntry> entries;
+        QHash<int, TimeSpan> dropped; ///< N → of what readings there was no room for
+        qsizetype blocksDropped = 0;
+        qsizetype entriesDropped = 0;
+    };
+
+    void put(const Readings &batch);
+    void put(const LineStatus &status, UtcTime now);
+    void put(const SampleBlock &block);
+    void put(const JournalEntry &entry);
+
+    /// Everything; the inbox is empty then.
+    Contents take();
+    std::size_t waitingReadings() const;
+
+private:
+    void dropOldest();
+
+    mutable QMutex m_mutex;
+    Contents m_contents;
+    QHash<int, LineState> m_states; ///< port → the last one
+};
+
+} // namespace gorizont

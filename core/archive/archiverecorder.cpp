@@ -1,0 +1,333 @@
+#include "core/archive/archiverecorder.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace gorizont {
+
+ArchiveRecorder::ArchiveRecorder(const ArchiveConfig &config, Note note)
+    : m_config(config)
+    , m_note(std::move(note))
+    , m_store(config)
+    , m_ledger(config.lines)
+{
+    for (const LineConfig &line : config.lines) {
+        for (const SensorConfig &sensor : line.sensors) {
+            m_rules.insert(sensor.number, {quantitiesOf(sensor), {sensor.offsetX, sensor.offsetY, sensor.offsetT}});
+        }
+    }
+}
+
+bool ArchiveRecorder::lock()
+{
+    if (m_lock || m_config.driver != ArchiveDriver::Sqlite) {
+        return true;
+    }
+    QDir().mkpath(QFileInfo(m_config.file).absolutePath());
+    auto lock = std::make_unique<QLockFile>(m_config.file + QStringLiteral(".lock"));
+    lock->setStaleLockTime(0);
+    if (!lock->tryLock(0)) {
+        const bool isHeld = lock->error() == QLockFile::LockFailedError;
+        m_fault = isHeld ? ArchiveFault::Busy : ArchiveFault::Denied;
+        const QString file = QDir::toNativeSeparators(m_config.file);
+        m_error = isHeld ? tr("Another copy of the program writes into %1. Close it, or name another file.").arg(file)
+                         : tr("%1 cannot be opened for writing. Check the rights and the name.").arg(file);
+        return false;
+    }
+    m_lock = std::move(lock);
+    return true;
+}
+
+bool ArchiveRecorder::open(UtcTime now)
+{
+    if (!lock()) {
+        return false;
+    }
+    ArchiveDatabase &database = m_store.database();
+    if (!database.open()) {
+        return fail();
+    }
+    if (!database.begin() || !load(now) || !database.commit()) {
+        fail();
+        database.close();
+        return false;
+    }
+    return true;
+}
+
+bool ArchiveRecorder::load(UtcTime now)
+{
+    const auto sensors = m_store.sensors();
+    const auto rows = sensors ? m_store.tail() : std::nullopt;
+    const auto alive = m_store.aliveAt();
+    if (!rows || (!alive && m_store.database().fault() != ArchiveFault::None)) {
+        return false;
+    }
+    m_known = *sensors;
+    if (m_isAnew) {
+        return true;
+    }
+    replay(*rows);
+    if (m_triedAt && m_triedAt == alive) {
+        m_waiting = {}; // it was committed, only the answer was lost
+    }
+    return m_hasStarted || startLedger(now, alive.value_or(now));
+}
+
+bool ArchiveRecorder::startLedger(UtcTime now, UtcTime alive)
+{
+    const auto ends = m_store.endOpenGaps(alive);
+    if (!ends) {
+        return false;
+    }
+    QHash<int, UtcTime> knownUntil = *ends;
+    for (auto known = m_known.cbegin(); known != m_known.cend(); ++known) {
+        knownUntil[known.key()] = std::max(knownUntil.value(known.key(), known->until), known->until);
+    }
+    for (const auto &[number, sensor] : m_open.sensors()) {
+        if (sensor.validAt) {
+            knownUntil[number] = std::max(knownUntil.value(number, *sensor.validAt), *sensor.validAt);
+        }
+    }
+    m_ledger.start(now, knownUntil);
+    m_hasStarted = true;
+    return true;
+}
+
+void ArchiveRecorder::replay(const QList<ArchiveStore::TailRow> &rows)
+{
+    m_open.clear();
+    m_lastRow = 0;
+    for (const ArchiveStore::TailRow &row : rows) {
+        m_lastRow = row.id;
+        const auto contents = TailBatch::decode(row.data);
+        if (!contents) {
+            m_note(JournalKind::Error, tr("A part of the archive of about a second is damaged and left out."));
+            continue;
+        }
+        for (const KeptReading &reading : contents->readings) {
+            if (row.id > m_known.value(reading.number).readingsDone) {
+                m_open.add(reading, row.id);
+            }
+        }
+        for (const SampleBlock &block : contents->blocks) {
+            if (row.id > m_known.value(block.number).samplesDone) {
+                m_open.add(block, row.id);
+            }
+        }
+    }
+}
+
+void ArchiveRecorder::take(const ArchiveInbox::Contents &contents, UtcTime now)
+{
+    for (const ArchiveInbox::LineChange &change : contents.lines) {
+        m_ledger.add(change.status, change.time);
+    }
+    for (auto dropped = contents.dropped.cbegin(); dropped != contents.dropped.cend(); ++dropped) {
+        m_ledger.addLost(dropped.key(), *dropped);
+    }
+    for (const Reading &reading : contents.readings) {
+        const auto rules = m_rules.constFind(reading.number);
+        if (rules == m_rules.constEnd()) {
+            continue;
+        }
+        m_ledger.add(reading);
+        if (reading.isAnswer) {
+            m_waiting.readings.append(keptReading(reading, rules->quantities));
+        }
+    }
+    for (const SampleBlock &block : contents.blocks) {
+        if (m_rules.contains(block.number) && !block.x.isEmpty() && !block.y.isEmpty() && block.rate > 0) {
+            m_waiting.blocks.append(block);
+        }
+    }
+    m_waiting.entries += contents.entries;
+    m_ledger.tick(now);
+    noteDropped(contents);
+}
+
+void ArchiveRecorder::noteDropped(const ArchiveInbox::Contents &contents)
+{
+    if (!contents.dropped.isEmpty() || contents.blocksDropped > 0 || contents.entriesDropped > 0) {
+        m_note(
+            JournalKind::Error,
+            tr("The archive could not be written for too long: readings of %1 sensors, %2 blocks of samples and %3 "
+               "events are not in it.")
+                .arg(contents.dropped.size())
+                .arg(contents.blocksDropped)
+                .arg(contents.entriesDropped));
+    }
+}
+
+bool ArchiveRecorder::commit(UtcTime now)
+{
+    m_waiting.gaps += m_ledger.takeChanges();
+    m_isWaiting = !writeWaiting(now);
+    return !m_isWaiting && writeChunks(m_isAnew);
+}
+
+bool ArchiveRecorder::finish(UtcTime now)
+{
+    m_ledger.stop(now);
+    m_waiting.gaps += m_ledger.takeChanges();
+    return isOpen() && writeWaiting(now) && writeChunks(true);
+}
+
+void ArchiveRecorder::close()
+{
+    m_store.database().close();
+    m_lock.reset();
+}
+
+void ArchiveRecorder::startAnew()
+{
+    m_store.database().close();
+    m_rollups.forget();
+    m_known.clear();
+    m_open.forgetRows();
+    m_lastRow = 0;
+    m_isAnew = true;
+}
+
+bool ArchiveRecorder::writeWaiting(UtcTime now)
+{
+    ArchiveDatabase &database = m_store.database();
+    const QHash<int, KnownSensor> knownBefore = m_known;
+    qint64 row = 0;
+    m_triedAt = now;
+    if (!database.begin() || !writeBatch(now, &row) || !database.commit()) {
+        fail();
+        database.rollback();
+        m_known = knownBefore;
+        return false;
+    }
+    m_triedAt.reset();
+    m_lastRow = std::max(m_lastRow, row);
+    for (const KeptReading &reading : m_waiting.readings) {
+        m_open.add(reading, row);
+    }
+    for (const SampleBlock &block : m_waiting.blocks) {
+        m_open.add(block, row);
+    }
+    m_waiting = {};
+    return true;
+}
+
+bool ArchiveRecorder::writeBatch(UtcTime now, qint64 *row)
+{
+    TailBatch batch;
+    for (const KeptReading &reading : m_waiting.readings) {
+        batch.add(reading);
+        if (!m_known.contains(reading.number)) {
+            const KnownSensor sensor{reading.time, reading.time, 0, 0};
+            if (!m_store.putSensor(reading.number, sensor)) {
+                return false;
+            }
+            m_known.insert(reading.number, sensor);
+        }
+    }
+    for (const SampleBlock &block : m_waiting.blocks) {
+        batch.add(block);
+    }
+    if (!batch.isEmpty()) {
+        const auto id = m_store.appendTail(batch.take());
+        if (!id) {
+            return false;
+        }
+        *row = *id;
+    }
+    for (const JournalEntry &entry : m_waiting.entries) {
+        if (!m_store.appendEvent(entry)) {
+            return false;
+        }
+    }
+    for (const Gap &gap : m_waiting.gaps) {
+        if (!m_store.putGap(gap)) {
+            return false;
+        }
+    }
+    return m_store.setAlive(now);
+}
+
+/// All that are ripe in one transaction: it costs one wait for the disk.
+bool ArchiveRecorder::writeChunks(bool isEverything)
+{
+    QList<int> readings;
+    QList<int> samples;
+    for (const auto &[number, sensor] : m_open.sensors()) {
+        if (!sensor.readings.isEmpty() && (isEverything || OpenChunks::isRipe(sensor.readings, m_lastRow))) {
+            readings.append(number);
+        }
+        if (!sensor.samples.isEmpty() && (isEverything || OpenChunks::isRipe(sensor.samples, m_lastRow))) {
+            samples.append(number);
+        }
+    }
+    if (readings.isEmpty() && samples.isEmpty()) {
+        m_isAnew = false;
+        return true;
+    }
+    ArchiveDatabase &database = m_store.database();
+    const OpenChunks before = m_open;
+    const QHash<int, KnownSensor> knownBefore = m_known;
+    bool isGood = database.begin();
+    for (const int number : std::as_const(readings)) {
+        isGood = isGood && writeReadings(number, before.sensors().at(number));
+    }
+    for (const int number : std::as_const(samples)) {
+        isGood = isGood && writeSamples(number, before.sensors().at(number));
+    }
+    if (isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1)) && database.commit()) {
+        m_isAnew = false;
+        return true;
+    }
+    fail();
+    database.rollback();
+    m_rollups.forget();
+    m_open = before;
+    m_known = knownBefore;
+    return false;
+}
+
+bool ArchiveRecorder::writeReadings(int number, const OpenChunks::Sensor &sensor)
+{
+    const ValueOffsets offsets = m_rules.value(number).offsets;
+    for (const ReadingChunk &chunk : sensor.readings.chunks) {
+        const QByteArray data = encodeChunk(chunk, offsets);
+        if (!m_store.appendChunk(ChunkKind::FullRate, number, spanOf(chunk), data)
+            || !m_rollups.add(number, chunk, offsets)) {
+            return false;
+        }
+    }
+    KnownSensor &known = m_known[number];
+    known.until = std::max(known.until, sensor.validAt.value_or(known.until));
+    known.readingsDone = sensor.readings.lastRow;
+    m_open.dropReadings(number);
+    return m_store.putSensor(number, known);
+}
+
+bool ArchiveRecorder::writeSamples(int number, const OpenChunks::Sensor &sensor)
+{
+    for (const SampleChunk &chunk : sensor.samples.chunks) {
+        if (!m_store.appendChunk(ChunkKind::Samples, number, spanOf(chunk), encodeChunk(chunk))
+            || !m_rollups.add(number, chunk)) {
+            return false;
+        }
+    }
+    KnownSensor &known = m_known[number];
+    if (known.from == UtcTime()) {
+        known.from = sensor.samples.chunks.first().starts.front();
+        known.until = known.from;
+    }
+    known.samplesDone = sensor.samples.lastRow;
+    m_open.dropSamples(number);
+    return m_store.putSensor(number, known);
+}
+
+bool ArchiveRecorder::fail()
+{
+    m_fault = m_store.database().fault();
+    m_error = m_store.database().error();
+    return false;
+}
+
+} // namespace gorizont

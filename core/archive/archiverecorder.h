@@ -1,0 +1,98 @@
+#pragma once
+
+#include "core/archive/archiveinbox.h"
+#include "core/archive/archivestore.h"
+#include "core/archive/gapledger.h"
+#include "core/archive/openchunks.h"
+#include "core/archive/rollupbook.h"
+#include "core/archive/tailbatch.h"
+
+#include <QLockFile>
+
+#include <functional>
+#include <memory>
+
+namespace gorizont {
+
+/// Writes what the inbox held into the store. First into the tail, so that a kill loses nothing that was committed; when
+/// enough is there, into chunks and rollups. What could not be written is tried again and is in no other place.
+/// Archive thread.
+class ArchiveRecorder
+{
+    Q_DECLARE_TR_FUNCTIONS(gorizont::ArchiveRecorder)
+
+public:
+    using Note = std::function<void(JournalKind, const QString &)>;
+
+    ArchiveRecorder(const ArchiveConfig &config, Note note);
+
+    /// Opens the store and reads the tail. The first time the gap since the last commit begins to be told. False: see
+    /// fault() and error().
+    bool open(UtcTime now);
+    bool isOpen() { return m_store.database().isOpen(); }
+
+    /// True: nothing waits to be written, take() is due.
+    bool canTake() const { return m_hasStarted && !m_isWaiting; }
+    void take(const ArchiveInbox::Contents &contents, UtcTime now);
+    void clockStepped(UtcTime before, UtcTime after) { m_ledger.clockStepped(before, after); }
+
+    /// Writes what was taken, and chunks that are ripe. False: nothing of it was written, or not all chunks; it waits.
+    bool commit(UtcTime now);
+    /// The program ends: everything open becomes chunks.
+    bool finish(UtcTime now);
+    void close();
+
+    /// A damaged store is to be set aside: what is open goes into chunks of the next one.
+    void startAnew();
+
+    ArchiveStore &store() { return m_store; }
+    ArchiveFault fault() const { return m_fault; }
+    QString error() const { return m_error; } ///< one sentence
+
+private:
+    struct SensorRules
+    {
+        QList<Quantity> quantities;
+        ValueOffsets offsets;
+    };
+    /// What goes in with the next commit.
+    struct Waiting
+    {
+        QList<KeptReading> readings;
+        QList<SampleBlock> blocks;
+        QList<JournalEntry> entries;
+        QList<Gap> gaps;
+    };
+
+    bool lock();
+    bool load(UtcTime now);
+    bool startLedger(UtcTime now, UtcTime alive);
+    void replay(const QList<ArchiveStore::TailRow> &rows);
+    bool writeWaiting(UtcTime now);
+    bool writeBatch(UtcTime now, qint64 *row);
+    bool writeChunks(bool isEverything);
+    bool writeReadings(int number, const OpenChunks::Sensor &sensor);
+    bool writeSamples(int number, const OpenChunks::Sensor &sensor);
+    bool fail();
+    void noteDropped(const ArchiveInbox::Contents &contents);
+
+    const ArchiveConfig m_config;
+    const Note m_note;
+    ArchiveStore m_store;
+    std::unique_ptr<QLockFile> m_lock; ///< empty: PostgreSQL, or not open
+    RollupBook m_rollups{m_store};
+    GapLedger m_ledger;
+    OpenChunks m_open;
+    Waiting m_waiting;
+    QHash<int, SensorRules> m_rules; ///< by N
+    QHash<int, KnownSensor> m_known;
+    qint64 m_lastRow = 0; ///< of the tail
+    bool m_hasStarted = false;
+    bool m_isWaiting = false;
+    bool m_isAnew = false; ///< the store is another one: what is open is not in its tail
+    std::optional<UtcTime> m_triedAt; ///< the commit of which the outcome is not known
+    ArchiveFault m_fault = ArchiveFault::None;
+    QString m_error;
+};
+
+} // namespace gorizont

@@ -1,0 +1,155 @@
+#include "core/archive/archivestore.h"
+
+namespace gorizont {
+
+using Qt::Literals::StringLiterals::operator""_s;
+
+qint64 storedTime(UtcTime time)
+{
+    return time.time_since_epoch().count();
+}
+
+UtcTime readTime(const QVariant &value)
+{
+    return UtcTime(std::chrono::microseconds(value.toLongLong()));
+}
+
+std::optional<UtcTime> ArchiveStore::aliveAt()
+{
+    const QVariant value = m_database.single(u"SELECT value FROM meta WHERE name = 'alive'"_s);
+    return value.isValid() ? std::optional(readTime(value)) : std::nullopt;
+}
+
+bool ArchiveStore::setAlive(UtcTime now)
+{
+    return m_database.run(
+        u"INSERT INTO meta (name, value) VALUES ('alive', ?) ON CONFLICT (name) DO UPDATE SET value = excluded.value"_s,
+        {storedTime(now)});
+}
+
+std::optional<QList<ArchiveStore::TailRow>> ArchiveStore::tail()
+{
+    QSqlQuery *query = m_database.run(u"SELECT id, data FROM tail ORDER BY id"_s);
+    if (!query) {
+        return {};
+    }
+    QList<TailRow> rows;
+    while (query->next()) {
+        rows.append({query->value(0).toLongLong(), query->value(1).toByteArray()});
+    }
+    return rows;
+}
+
+std::optional<qint64> ArchiveStore::appendTail(const QByteArray &data)
+{
+    QSqlQuery *query = m_database.run(u"INSERT INTO tail (data) VALUES (?) RETURNING id"_s, {data});
+    if (!query || !query->next()) {
+        return {};
+    }
+    const qint64 id = query->value(0).toLongLong();
+    query->finish();
+    return id;
+}
+
+bool ArchiveStore::removeTailBelow(qint64 id)
+{
+    return m_database.run(u"DELETE FROM tail WHERE id < ?"_s, {id});
+}
+
+std::optional<QHash<int, KnownSensor>> ArchiveStore::sensors()
+{
+    QSqlQuery *query =
+        m_database.run(u"SELECT number, known_from, known_until, readings_done, samples_done FROM sensor"_s);
+    if (!query) {
+        return {};
+    }
+    QHash<int, KnownSensor> sensors;
+    while (query->next()) {
+        sensors.insert(
+            query->value(0).toInt(),
+            {readTime(query->value(1)), readTime(query->value(2)), query->value(3).toLongLong(),
+             query->value(4).toLongLong()});
+    }
+    return sensors;
+}
+
+bool ArchiveStore::putSensor(int number, const KnownSensor &sensor)
+{
+    return m_database.run(
+        u"INSERT INTO sensor (number, known_from, known_until, readings_done, samples_done) VALUES (?, ?, ?, ?, ?) "
+        "ON CONFLICT (number) DO UPDATE SET known_from = excluded.known_from, known_until = excluded.known_until, "
+        "readings_done = excluded.readings_done, samples_done = excluded.samples_done"_s,
+        {number, storedTime(sensor.from), storedTime(sensor.until), sensor.readingsDone, sensor.samplesDone});
+}
+
+bool ArchiveStore::appendChunk(ChunkKind kind, int number, const TimeSpan &span, const QByteArray &data)
+{
+    return m_database.run(
+        u"INSERT INTO chunk (kind, number, start, finish, data) VALUES (?, ?, ?, ?, ?)"_s,
+        {static_cast<int>(kind), number, storedTime(span.from), storedTime(span.to), data});
+}
+
+std::optional<QByteArray> ArchiveStore::rollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch)
+{
+    const QVariant data = m_database.single(
+        u"SELECT data FROM rollup WHERE kind = ? AND number = ? AND quantity = ? AND start = ?"_s,
+        {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(stretch)});
+    return data.isValid() ? std::optional(data.toByteArray()) : std::nullopt;
+}
+
+bool ArchiveStore::putRollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch, const QByteArray &data)
+{
+    return m_database.run(
+        u"INSERT INTO rollup (kind, number, quantity, start, data) VALUES (?, ?, ?, ?, ?) "
+        "ON CONFLICT (kind, number, quantity, start) DO UPDATE SET data = excluded.data"_s,
+        {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(stretch), data});
+}
+
+bool ArchiveStore::putGap(const Gap &gap)
+{
+    return m_database.run(
+        u"INSERT INTO gap (number, start, finish, reason, source) VALUES (?, ?, ?, ?, ?) "
+        "ON CONFLICT (number, start) DO UPDATE SET finish = excluded.finish, reason = excluded.reason, "
+        "source = excluded.source"_s,
+        {gap.number, storedTime(gap.from),
+         gap.to ? QVariant(storedTime(*gap.to)) : QVariant(QMetaType(QMetaType::LongLong)),
+         static_cast<int>(gap.reason), gap.filledFrom.isNull() ? u""_s : gap.filledFrom});
+}
+
+std::optional<QHash<int, UtcTime>> ArchiveStore::endOpenGaps(UtcTime at)
+{
+    if (!m_database.run(
+            u"UPDATE gap SET finish = CASE WHEN start > ? THEN start ELSE ? END WHERE finish IS NULL"_s,
+            {storedTime(at), storedTime(at)})) {
+        return {};
+    }
+    QSqlQuery *query = m_database.run(u"SELECT number, max(finish) FROM gap GROUP BY number"_s);
+    if (!query) {
+        return {};
+    }
+    QHash<int, UtcTime> ends;
+    while (query->next()) {
+        ends.insert(query->value(0).toInt(), readTime(query->value(1)));
+    }
+    return ends;
+}
+
+bool ArchiveStore::appendEvent(const JournalEntry &entry)
+{
+    return m_database.run(
+        u"INSERT INTO event (time, kind, port, number, text) VALUES (?, ?, ?, ?, ?)"_s,
+        {storedTime(entry.time), static_cast<int>(entry.kind), entry.port, entry.number,
+         entry.text.isNull() ? u""_s : entry.text});
+}
+
+bool ArchiveStore::putRecord(const DeviceRecord &record, bool *isNew)
+{
+    QSqlQuery *query = m_database.run(
+        u"INSERT INTO record (number, start, name, data) VALUES (?, ?, ?, ?) ON CONFLICT (number, start, name) "
+        "DO NOTHING"_s,
+        {record.number, storedTime(record.start), record.name, record.data});
+    *isNew = query && query->numRowsAffected() > 0;
+    return query;
+}
+
+} // namespace gorizont

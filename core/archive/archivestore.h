@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/archive/archivedatabase.h"
+#include "core/archive/chunkkind.h"
+#include "core/values/gap.h"
+#include "core/values/journalentry.h"
+
+#include <QHash>
+
+#include <optional>
+
+namespace gorizont {
+
+/// A record that a device kept itself.
+struct DeviceRecord
+{
+    int number = 0; ///< N
+    UtcTime start; ///< by the clock of the device
+    QString name; ///< what it is: the kind, or the name in the device
+    QByteArray data;
+    bool operator==(const DeviceRecord &) const = default;
+};
+
+/// What the tables say of one sensor.
+struct KnownSensor
+{
+    UtcTime from; ///< of the first reading
+    UtcTime until; ///< of the last one in a chunk
+    qint64 readingsDone = 0; ///< the last row of tail whose readings are in chunks
+    qint64 samplesDone = 0; ///< likewise its samples
+};
+
+/// The rows of the archive: one method a statement. False and empty answers: see fault(). Archive thread.
+class ArchiveStore
+{
+public:
+    explicit ArchiveStore(const ArchiveConfig &config)
+        : m_database(config, ArchiveDatabase::Access::Write)
+    {
+    }
+
+    ArchiveDatabase &database() { return m_database; }
+
+    std::optional<UtcTime> aliveAt(); ///< when the last commit was; empty: never
+    bool setAlive(UtcTime now);
+
+    struct TailRow
+    {
+        qint64 id = 0;
+        QByteArray data;
+    };
+    std::optional<QList<TailRow>> tail();
+    std::optional<qint64> appendTail(const QByteArray &data); ///< its id
+    bool removeTailBelow(qint64 id);
+
+    std::optional<QHash<int, KnownSensor>> sensors();
+    bool putSensor(int number, const KnownSensor &sensor);
+
+    bool appendChunk(ChunkKind kind, int number, const TimeSpan &span, const QByteArray &data);
+    std::optional<QByteArray> rollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch); ///< empty: there is none
+    bool putRollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch, const QByteArray &data);
+
+    /// One gap of a sensor begins at one time: the same again changes it.
+    bool putGap(const Gap &gap);
+    /// Those that still went on did so until \a at. Returns the last end known of each sensor.
+    std::optional<QHash<int, UtcTime>> endOpenGaps(UtcTime at);
+    bool appendEvent(const JournalEntry &entry);
+    /// A record that is there already stays as it is.
+    bool putRecord(const DeviceRecord &record, bool *isNew);
+
+private:
+    ArchiveDatabase m_database;
+};
+
+qint64 storedTime(UtcTime time);
+UtcTime readTime(const QVariant &value);
+
+} // namespace gorizont

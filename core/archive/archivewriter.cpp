@@ -1,0 +1,142 @@
+#include "core/archive/archivewriter.h"
+
+#include "core/archive/damagedfile.h"
+
+#include <QDir>
+
+namespace gorizont {
+
+namespace {
+
+constexpr std::chrono::seconds clockTolerance{1};
+
+SteadyTime steadyNow()
+{
+    return std::chrono::steady_clock::now();
+}
+
+} // namespace
+
+ArchiveWriter::ArchiveWriter(const ArchiveConfig &config, Clock clock, QObject *parent)
+    : QObject(parent)
+    , m_config(config)
+    , m_clock(std::move(clock))
+    , m_recorder(config, [this](JournalKind kind, const QString &text) { note(kind, text); })
+{
+    m_timer.setInterval(config.commitInterval);
+    connect(&m_timer, &QTimer::timeout, this, &ArchiveWriter::flush);
+}
+
+ArchiveWriter::~ArchiveWriter() = default;
+
+void ArchiveWriter::updateReadings(const QList<Reading> &batch)
+{
+    m_inbox.put(batch);
+}
+
+void ArchiveWriter::updateLine(const LineStatus &status)
+{
+    m_inbox.put(status, m_clock());
+}
+
+void ArchiveWriter::appendBlock(const SampleBlock &block)
+{
+    m_inbox.put(block);
+}
+
+void ArchiveWriter::appendJournal(const JournalEntry &entry)
+{
+    m_inbox.put(entry);
+}
+
+void ArchiveWriter::start()
+{
+    flush();
+    m_timer.start();
+}
+
+void ArchiveWriter::flush()
+{
+    if (m_retryAt && steadyNow() < *m_retryAt) {
+        return;
+    }
+    const UtcTime now = m_clock();
+    if (!m_recorder.isOpen() && !m_recorder.open(now)) {
+        failed();
+        return;
+    }
+    if (m_recorder.canTake()) {
+        noteClockStep(now);
+        m_recorder.take(m_inbox.take(), now);
+    }
+    if (m_recorder.commit(now)) {
+        succeeded();
+    } else {
+        failed();
+    }
+}
+
+void ArchiveWriter::stop()
+{
+    m_timer.stop();
+    m_retryAt.reset();
+    flush();
+    m_recorder.finish(m_clock());
+    m_recorder.close();
+}
+
+void ArchiveWriter::noteClockStep(UtcTime now)
+{
+    const SteadyTime steady = steadyNow();
+    if (m_lastWall) {
+        const auto expected =
+            *m_lastWall + std::chrono::duration_cast<std::chrono::microseconds>(steady - m_lastSteady);
+        if (now - expected > clockTolerance || expected - now > clockTolerance) {
+            m_recorder.clockStepped(expected, now);
+        }
+    }
+    m_lastWall = now;
+    m_lastSteady = steady;
+}
+
+/// One event when the first thing goes wrong, none while it stays so.
+void ArchiveWriter::failed()
+{
+    if (m_recorder.fault() == ArchiveFault::Damaged && m_config.driver == ArchiveDriver::Sqlite) {
+        m_recorder.startAnew();
+        const auto aside = setAside(m_config.file, m_clock());
+        if (aside) {
+            note(
+                JournalKind::Error,
+                tr("The archive %1 is damaged. It was set aside as %2, and recording goes on in a new file.")
+                    .arg(QDir::toNativeSeparators(m_config.file), QDir::toNativeSeparators(*aside)));
+            m_retryAt.reset();
+            Q_EMIT replaced();
+            return;
+        }
+    }
+    if (!m_retryAt) {
+        note(
+            JournalKind::Error,
+            tr("The archive is not being written: %1 It is tried again every few seconds.").arg(m_recorder.error()));
+    }
+    m_retryAt = steadyNow() + m_config.retryInterval;
+    if (m_recorder.fault() != ArchiveFault::Busy && m_recorder.fault() != ArchiveFault::Full) {
+        m_recorder.store().database().close();
+    }
+}
+
+void ArchiveWriter::succeeded()
+{
+    if (m_retryAt) {
+        m_retryAt.reset();
+        note(JournalKind::Info, tr("The archive is being written again."));
+    }
+}
+
+void ArchiveWriter::note(JournalKind kind, const QString &text)
+{
+    Q_EMIT journal({kind, m_clock(), text});
+}
+
+} // namespace gorizont

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/values/quantity.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gorizont {
+
+/// One quantity of a reading, as it is kept; empty: it brought none, or not a valid one.
+struct KeptValue
+{
+    Quantity quantity = Quantity::TiltX;
+    std::optional<double> value;
+    bool operator==(const KeptValue &) const = default;
+};
+
+/// What the archive keeps of an answer of a sensor.
+struct KeptReading
+{
+    int number = 0; ///< N
+    UtcTime time;
+    QList<KeptValue> values; ///< of every quantity that the sensor measures, in ascending order
+    bool operator==(const KeptReading &) const = default;
+
+    bool hasValue() const
+    {
+        return std::any_of(values.begin(), values.end(), [](const KeptValue &kept) { return kept.value.has_value(); });
+    }
+};
+
+/// \a quantities: those that the sensor measures; samples are not among the values of a reading.
+inline KeptReading keptReading(const Reading &reading, const QList<Quantity> &quantities)
+{
+    KeptReading kept{reading.number, reading.time, {}};
+    kept.values.reserve(quantities.size());
+    for (const Quantity quantity : quantities) {
+        if (quantity < Quantity::SampleX) {
+            kept.values.append({quantity, valueOf(reading, quantity)});
+        }
+    }
+    return kept;
+}
+
+} // namespace gorizont
