@@ -2589,6 +2589,79 @@
     </message>
 </context>
 <context>
+    <name>gorizont::ArchiveDatabase</name>
+    <message>
+        <source>The folder %1 cannot be created. Check the rights and the name.</source>
+        <translation>Не удаётся создать папку %1. Проверьте права доступа и имя.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of the program. Install that one, or name another file.</source>
+        <translation>%1 записан более новой версией программы. Установите её или укажите другой файл.</translation>
+    </message>
+    <message>
+        <source>%1 holds no archive.</source>
+        <translation>В файле %1 нет архива.</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program. Close that program.</source>
+        <translation>%1 занят другой программой. Закройте её.</translation>
+    </message>
+    <message>
+        <source>There is no room left for %1. Free some on that disk.</source>
+        <translation>Для %1 не осталось места. Освободите место на этом диске.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged.</source>
+        <translation>%1 повреждён.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened for writing. Check the rights and the name.</source>
+        <translation>Не удаётся открыть %1 для записи. Проверьте права доступа и имя.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer. Check the server and the network.</source>
+        <translation>%1 не отвечает. Проверьте сервер и сеть.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ArchiveRecorder</name>
+    <message>
+        <source>Another copy of the program writes into %1. Close it, or name another file.</source>
+        <translation>В %1 пишет другая копия программы. Закройте её или укажите другой файл.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened for writing. Check the rights and the name.</source>
+        <translation>Не удаётся открыть %1 для записи. Проверьте права доступа и имя.</translation>
+    </message>
+    <message>
+        <source>A part of the archive of about a second is damaged and left out.</source>
+        <translation>Часть архива длиной около секунды повреждена и пропущена.</translation>
+    </message>
+    <message>
+        <source>The archive could not be written for too long: readings of %1 sensors, %2 blocks of samples and %3 events are not in it.</source>
+        <translation>Архив слишком долго не удавалось записать: в него не попали показания датчиков (%1), блоки отсчётов (%2) и события (%3).</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ArchiveWriter</name>
+    <message>
+        <source>The archive %1 is damaged. It was set aside as %2, and recording goes on in a new file.</source>
+        <translation>Архив %1 повреждён. Он отложен под именем %2, запись продолжается в новый файл.</translation>
+    </message>
+    <message>
+        <source>The archive is not being written: %1 It is tried again every few seconds.</source>
+        <translation>Архив не записывается: %1 Попытки повторяются каждые несколько секунд.</translation>
+    </message>
+    <message>
+        <source>The archive is being written again.</source>
+        <translation>Архив снова записывается.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::AttentionBanner</name>
     <message>
         <source>Show</source>
