@@ -6,11 +6,15 @@ namespace gorizont {
 
 namespace {
 
+/// Bytes a turn: sixteen reads. However many a client sends at once, the others wait for no more than that.
+constexpr qint64 readLimit = 16 * 12;
+
 Service modbusService(const UnitImages &images)
 {
     Service service;
     service.name = QStringLiteral("Modbus TCP");
     service.portKey = QStringLiteral("IPPort1");
+    service.readLimit = readLimit;
     service.answer = [&images](QByteArrayView received, AnswerBuffer &answers) {
         return answerRequests(received, images, answers);
     };

@@ -54,6 +54,7 @@ Figures measure(const Contender &contender, const Case &which, double seconds)
 template <typename Value> double median(const std::vector<Round> &rounds, Value value)
 {
     std::vector<double> values;
+    values.reserve(rounds.size());
     for (const Round &round : rounds) {
         values.push_back(value(round));
     }

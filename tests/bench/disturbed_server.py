@@ -6,6 +6,7 @@ Prints figures and ratios, judges nothing. The program runs on the simulated sen
 alternate: quiet, disturbed in one way, quiet, disturbed in the next way. Those who disturb, and the other client who asks
 a hundred times a second, are processes of their own.
 """
+import os
 import pathlib
 import random
 import re
@@ -200,6 +201,7 @@ def merged(phases, name):
 def main():
     phases = measure(float(sys.argv[1]) if len(sys.argv) > 1 else 20)
     quiet = merged(phases, "quiet")
+    print(f"load of this machine in the last minute: {os.getloadavg()[0]:.1f} of {os.cpu_count()} cores")
     print(f"{'':12} {'polling s':>10} {'ratio':>7} {'longest':>8} {'saving s':>9} {'ratio':>7} {'longest':>8}"
           f" {'p50 ms':>7} {'p99 ms':>7} {'max ms':>7} {'cores':>6}")
     for name in ("quiet", *DISTURBANCES):

@@ -18,7 +18,7 @@ constexpr std::array<std::uint8_t, requestSize> request = {0, 0, 0, 0, 0, 6, uni
 /// The answer of the specification, without its transaction.
 constexpr std::array<std::uint8_t, answerSize> expectedAnswer()
 {
-    std::array<std::uint8_t, answerSize> answer{0, 0, 0, 0, 0, answerSize - 6, unit, 4, 2 * registerCount};
+    std::array<std::uint8_t, answerSize> answer{0, 0, 0, 0, 0, answerSize - 6, unit, 4, payloadSize};
     const auto registers = payload();
     for (std::size_t i = 0; i < registers.size(); ++i) {
         answer[9 + i] = registers[i];
@@ -89,7 +89,7 @@ void LoadGenerator::ask(Connection &connection, int count)
 {
     std::array<std::uint8_t, 64 * requestSize> bytes;
     for (int i = 0; i < count; ++i) {
-        std::uint8_t *at = bytes.data() + requestSize * i;
+        std::uint8_t *at = bytes.data() + requestSize * static_cast<std::size_t>(i);
         ++connection.asked;
         std::memcpy(at, request.data(), request.size());
         at[0] = static_cast<std::uint8_t>(connection.asked >> 8);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace gorizont::bench {
@@ -12,8 +13,9 @@ namespace gorizont::bench {
 constexpr int unit = 3;
 constexpr int sensorCount = 30;
 constexpr int registerCount = 2 + 4 * sensorCount; // 122
-constexpr int requestSize = 12; ///< bytes
-constexpr int answerSize = 9 + 2 * registerCount; ///< bytes
+constexpr std::size_t payloadSize = std::size_t{2} * registerCount; ///< bytes
+constexpr std::size_t requestSize = 12; ///< bytes
+constexpr std::size_t answerSize = 9 + payloadSize; ///< bytes
 
 struct TiltOfSensor
 {
@@ -28,9 +30,9 @@ constexpr TiltOfSensor tiltOf(int sensor)
 }
 
 /// The registers as they go over the wire.
-constexpr std::array<std::uint8_t, 2 * registerCount> payload()
+constexpr std::array<std::uint8_t, payloadSize> payload()
 {
-    std::array<std::uint8_t, 2 * registerCount> bytes{};
+    std::array<std::uint8_t, payloadSize> bytes{};
     const auto write = [&bytes](int at, int value) {
         bytes[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value & 0xFF);
         bytes[static_cast<std::size_t>(at) + 1] = static_cast<std::uint8_t>(value >> 8 & 0xFF);
@@ -46,7 +48,7 @@ constexpr std::array<std::uint8_t, 2 * registerCount> payload()
 constexpr std::uint16_t payloadRegister(int index)
 {
     const auto bytes = payload();
-    const auto at = static_cast<std::size_t>(2 * index);
+    const auto at = std::size_t{2} * static_cast<std::size_t>(index);
     return static_cast<std::uint16_t>(bytes[at] << 8 | bytes[at + 1]);
 }
 

@@ -33,9 +33,8 @@ int listenAnywhere()
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    ::bind(listener, reinterpret_cast<const sockaddr *>(&address), sizeof address);
-    ::listen(listener, backlog);
-    return listener;
+    const bool isBound = ::bind(listener, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0;
+    return isBound && ::listen(listener, backlog) == 0 ? listener : -1;
 }
 
 /// One request of one client of libmodbus; false: it has gone.
@@ -68,7 +67,7 @@ void answerBare(int descriptor, BareClient &client)
         std::memcpy(answer, client.bytes.data() + used, 8);
         answer[4] = 0;
         answer[5] = answerSize - 6;
-        answer[8] = 2 * registerCount;
+        answer[8] = payloadSize;
         std::memcpy(answer + 9, registers.data(), registers.size());
         at += answerSize;
         used += requestSize;
