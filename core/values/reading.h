@@ -17,6 +17,14 @@ struct Tilt
     bool operator==(const Tilt &) const = default;
 };
 
+/// How much a sensor trembled while it measured its tilt: mean absolute deviation along its own axes.
+struct TiltVariation
+{
+    double x = 0; ///< degrees
+    double y = 0; ///< degrees
+    bool operator==(const TiltVariation &) const = default;
+};
+
 /// Accelerations of the last minute (manual 000, sections 4.3, 4.5, 10.4; spec/and3.md, Statistics), mm/s².
 struct AccelStatistics
 {
@@ -60,6 +68,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Conditions)
 struct Measurement
 {
     std::optional<Tilt> tilt;
+    std::optional<TiltVariation> variation;
     std::optional<double> temperature; ///< °C
     std::optional<double> heaterPower; ///< %
     std::optional<double> fanFrequency; ///< 1/s
@@ -90,6 +99,7 @@ struct Reading
     std::optional<SteadyTime> answeredAt; ///< when the values below were measured; empty: never
 
     std::optional<Tilt> tilt;
+    std::optional<TiltVariation> variation; ///< of the tilt above, along the axes of the device
     std::optional<double> temperature; ///< °C
     std::optional<double> heaterPower; ///< %
     std::optional<double> fanFrequency; ///< 1/s
