@@ -73,34 +73,38 @@ QList<SeriesBucket> rolledUp(const QList<SeriesBucket> &buckets, ExportEvery eve
     return result;
 }
 
-QList<SeriesRow> rowsOf(const QList<Series> &series, UtcTime from, UtcTime to)
+SeriesRows::SeriesRows(const QList<Series> &series, UtcTime from, UtcTime to)
+    : m_series(series)
+    , m_from(from)
+    , m_to(to)
+    , m_at(series.size(), 0)
 {
-    QList<SeriesRow> rows;
-    QList<qsizetype> at(series.size(), 0);
-    while (true) {
-        std::optional<UtcTime> earliest;
-        for (qsizetype i = 0; i < series.size(); ++i) {
-            const QList<SeriesBucket> &buckets = series.at(i).buckets;
-            while (at[i] < buckets.size() && (buckets.at(at[i]).valid == 0 || buckets.at(at[i]).from < from)) {
-                ++at[i];
-            }
-            if (at[i] < buckets.size() && buckets.at(at[i]).from < earliest.value_or(to)) {
-                earliest = buckets.at(at[i]).from;
-            }
+    m_row.cells.resize(series.size());
+}
+
+bool SeriesRows::next()
+{
+    std::optional<UtcTime> earliest;
+    for (qsizetype i = 0; i < m_series.size(); ++i) {
+        const QList<SeriesBucket> &buckets = m_series.at(i).buckets;
+        qsizetype &at = m_at[i];
+        while (at < buckets.size() && (buckets.at(at).valid == 0 || buckets.at(at).from < m_from)) {
+            ++at;
         }
-        if (!earliest) {
-            return rows;
+        if (at < buckets.size() && buckets.at(at).from < earliest.value_or(m_to)) {
+            earliest = buckets.at(at).from;
         }
-        SeriesRow row{*earliest, {}};
-        row.cells.resize(series.size());
-        for (qsizetype i = 0; i < series.size(); ++i) {
-            const QList<SeriesBucket> &buckets = series.at(i).buckets;
-            if (at[i] < buckets.size() && buckets.at(at[i]).from == *earliest) {
-                row.cells[i] = buckets.at(at[i]++);
-            }
-        }
-        rows << row;
     }
+    if (!earliest) {
+        return false;
+    }
+    m_row.time = *earliest;
+    for (qsizetype i = 0; i < m_series.size(); ++i) {
+        const QList<SeriesBucket> &buckets = m_series.at(i).buckets;
+        const bool isHere = m_at.at(i) < buckets.size() && buckets.at(m_at.at(i)).from == *earliest;
+        m_row.cells[i] = isHere ? std::optional(buckets.at(m_at[i]++)) : std::nullopt;
+    }
+    return true;
 }
 
 } // namespace gorizont

@@ -20,8 +20,24 @@ UtcTime nextAfter(UtcTime time, ExportEvery every, const QTimeZone &zone);
 /// \a buckets, in ascending time, put together to one for each minute, hour or day that has valid values.
 QList<SeriesBucket> rolledUp(const QList<SeriesBucket> &buckets, ExportEvery every, const QTimeZone &zone);
 
-/// The rows of \a series, in ascending time; moments without any valid value have none. Moments before \a from and from
-/// \a to on are left out.
-QList<SeriesRow> rowsOf(const QList<Series> &series, UtcTime from, UtcTime to);
+/// The rows of several series in ascending time, one after the other: all of them at once would need many times the
+/// memory of the series. Moments without any valid value have no row. Pure.
+class SeriesRows
+{
+public:
+    /// \a series outlives this. Moments before \a from and from \a to on are left out.
+    SeriesRows(const QList<Series> &series, UtcTime from, UtcTime to);
+
+    /// False: there is no further row.
+    bool next();
+    const SeriesRow &row() const { return m_row; }
+
+private:
+    const QList<Series> &m_series;
+    const UtcTime m_from;
+    const UtcTime m_to;
+    QList<qsizetype> m_at; ///< the next bucket of each series
+    SeriesRow m_row;
+};
 
 } // namespace gorizont

@@ -1,8 +1,7 @@
 #include "core/export/tableexport.h"
 
-#include "core/export/csvtable.h"
-
 #include <algorithm>
+#include <utility>
 
 namespace gorizont {
 
@@ -20,16 +19,9 @@ bool TableExport::writeAll()
     }
     for (UtcTime from = begin; from < end;) {
         const UtcTime to = std::min(end, pieceEnd(from));
-        const auto rows = rowsBetween(from, to);
-        if (!rows) {
-            return false;
-        }
-        QByteArray text;
-        for (const SeriesRow &row : *rows) {
-            text += table.row(row);
-        }
-        m_result.rows += static_cast<quint64>(rows->size());
-        if (!write(text) || !report(double((to - begin).count()) / double((end - begin).count()))) {
+        const auto series = seriesBetween(from, to);
+        if (!series || !writeRows(table, *series, from, to)
+            || !report(double((to - begin).count()) / double((end - begin).count()))) {
             return false;
         }
         from = to;
@@ -49,20 +41,35 @@ UtcTime TableExport::pieceEnd(UtcTime from) const
 }
 
 /// Days are put together of hours: they begin at midnight of the zone, which the archive need not know.
-std::optional<QList<SeriesRow>> TableExport::rowsBetween(UtcTime from, UtcTime to)
+std::optional<QList<Series>> TableExport::seriesBetween(UtcTime from, UtcTime to)
 {
     const ExportEvery every = m_request.every;
+    if (every == ExportEvery::Reading) {
+        return wait(m_source.series({exportedSeries(m_request), from, to, 0}));
+    }
     const auto step = every == ExportEvery::Minute ? std::chrono::minutes(1) : std::chrono::hours(1);
-    const bool isFull = every == ExportEvery::Reading;
-    const int width = isFull ? 0 : static_cast<int>((to - from) / step);
-    auto series = wait(m_source.series({exportedSeries(m_request), from, to, width}));
-    if (!series) {
-        return {};
+    auto series = wait(m_source.series({exportedSeries(m_request), from, to, static_cast<int>((to - from) / step)}));
+    if (series) {
+        for (Series &one : *series) {
+            one.buckets = rolledUp(one.buckets, every, m_request.zone);
+        }
     }
-    for (Series &one : *series) {
-        one.buckets = isFull ? one.buckets : rolledUp(one.buckets, every, m_request.zone);
+    return series;
+}
+
+bool TableExport::writeRows(const CsvTable &table, const QList<Series> &series, UtcTime from, UtcTime to)
+{
+    constexpr qsizetype portion = 1 << 20; // bytes that are written at once
+    SeriesRows rows(series, from, to);
+    QByteArray text;
+    while (rows.next()) {
+        text += table.row(rows.row());
+        ++m_result.rows;
+        if (text.size() >= portion && !write(std::exchange(text, {}))) {
+            return false;
+        }
     }
-    return rowsOf(*series, from, to);
+    return write(text);
 }
 
 } // namespace gorizont

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/export/csvtable.h"
 #include "core/export/exportjob.h"
-#include "core/export/seriesrows.h"
 
 namespace gorizont {
 
@@ -16,7 +16,8 @@ protected:
 
 private:
     UtcTime pieceEnd(UtcTime from) const;
-    std::optional<QList<SeriesRow>> rowsBetween(UtcTime from, UtcTime to);
+    std::optional<QList<Series>> seriesBetween(UtcTime from, UtcTime to);
+    bool writeRows(const CsvTable &table, const QList<Series> &series, UtcTime from, UtcTime to);
 };
 
 } // namespace gorizont

@@ -316,6 +316,21 @@ private Q_SLOTS:
         QCOMPARE(m_calendar->lastChosen(), first.addDays(3));
     }
 
+    /// A part of the window at 200 %: the keys reach every day all the same, and it is in sight.
+    void lowWindow()
+    {
+        QVERIFY(m_page->minimumSizeHint().height() < 260);
+        m_page->resize(500, 260);
+        m_calendar->setFocus();
+        const QDate last = QDate(m_today.year(), m_today.month(), 1).addDays(-1);
+        m_calendar->choose(last, last);
+        QTRY_VERIFY(m_calendar->visibleRegion().contains(placeOf(last)));
+        QTest::keyClick(m_calendar, Qt::Key_Home);
+        const QDate first(last.year(), last.month(), 1);
+        QCOMPARE(m_calendar->firstChosen(), first);
+        QTRY_VERIFY(m_calendar->visibleRegion().contains(placeOf(first)));
+    }
+
     void sensorsAreChosen()
     {
         auto *all = find<QCheckBox>("historySensorsAll");

@@ -30,6 +30,7 @@ public:
     QDate lastShown() const { return m_month.addMonths(monthCount()).addDays(-1); }
 
     QRect dayRect(QDate day) const; ///< empty: not shown
+    QRect currentRect() const { return dayRect(m_current); }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

@@ -100,6 +100,15 @@ QWidget *HistoryPage::makeDays()
     QToolButton *later = button(Qt::RightArrow, tr("Later months"), "laterButton");
     connect(earlier, &QToolButton::clicked, m_calendar, &DayCalendar::showEarlier);
     connect(later, &QToolButton::clicked, m_calendar, &DayCalendar::showLater);
+    auto *scroll = new QScrollArea(days); // of a low window
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_calendar);
+    connect(m_calendar, &DayCalendar::chosen, this, [this, scroll] {
+        const QRect day = m_calendar->currentRect();
+        scroll->ensureVisible(day.center().x(), day.center().y(), day.width() / 2, day.height() / 2);
+    });
     auto *bar = new QHBoxLayout;
     bar->addWidget(earlier);
     bar->addWidget(later);
@@ -107,7 +116,7 @@ QWidget *HistoryPage::makeDays()
     auto *layout = new QVBoxLayout(days);
     layout->setContentsMargins(TableColumns::sideMargin, 4, TableColumns::sideMargin, 4);
     layout->addLayout(bar);
-    layout->addWidget(m_calendar, 1);
+    layout->addWidget(scroll, 1);
     return days;
 }
 
