@@ -34,16 +34,20 @@ QByteArray CsvTable::header() const
 QByteArray CsvTable::row(const SeriesRow &row) const
 {
     const char separator = m_isRussian ? ';' : ',';
+    const qsizetype fields = m_request.every == ExportEvery::Reading ? 1 : 3;
     QByteArray line = timeText(row.time);
     for (qsizetype i = 0; i < m_keys.size(); ++i) {
         const std::optional<SeriesBucket> &cell = row.cells.at(i);
+        if (!cell) { // most cells of most rows
+            line.append(fields, separator);
+            continue;
+        }
         const int decimals = exportname::decimals(m_keys.at(i).quantity);
-        const auto field = [&](double value) { return separator + (cell ? number(value, decimals) : QByteArray()); };
-        const SeriesBucket bucket = cell.value_or(SeriesBucket());
-        if (m_request.every == ExportEvery::Reading) {
-            line += field(bucket.mean);
+        if (fields == 1) {
+            line += separator + number(cell->mean, decimals);
         } else {
-            line += field(bucket.minimum) + field(bucket.mean) + field(bucket.maximum);
+            line += separator + number(cell->minimum, decimals) + separator + number(cell->mean, decimals) + separator
+                + number(cell->maximum, decimals);
         }
     }
     return line + (m_isRussian ? "\r\n" : "\n");
