@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/config/archivesettings.h"
 #include "core/config/feedsettings.h"
 #include "core/values/lineconfig.h"
 #include "core/values/timing.h"
@@ -66,6 +67,7 @@ struct ServerConfig
     int adc24Sensor = 0; ///< [ADC24] Sensor: N of an accelerometer; 0: the first
     Adc24Axis adc24Axis = Adc24Axis::X; ///< [ADC24] Axis
 
+    ArchiveSettings archive;
     MqttSettings mqtt;
     MetricsSettings metrics;
     Timing timing;

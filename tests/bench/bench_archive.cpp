@@ -228,6 +228,7 @@ void benchReading(const QTemporaryDir &folder, int days)
 int main(int argc, char **argv)
 {
     QCoreApplication app(argc, argv);
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const QStringList arguments = QCoreApplication::arguments();
     const qsizetype at = arguments.indexOf(QStringLiteral("--days"));
     const QTemporaryDir folder;
