@@ -143,10 +143,10 @@ bool ArchiveDatabase::configure()
     if (m_access != Access::Write) {
         return true;
     }
-    // FULL: a commit survives a power cut. Freed pages are given back a few at a time, when old data goes.
-    return execute(u"PRAGMA auto_vacuum=INCREMENTAL"_s) && execute(u"PRAGMA journal_mode=WAL"_s)
-        && execute(u"PRAGMA synchronous=FULL"_s) && execute(u"PRAGMA cache_size=-8192"_s)
-        && execute(u"PRAGMA journal_size_limit=16777216"_s);
+    // Large pages: chunks are a few thousand bytes, and what is left of a page behind them is lost. FULL: a commit survives a power cut. Freed pages are given back a few at a time, when old data goes.
+    return execute(u"PRAGMA page_size=16384"_s) && execute(u"PRAGMA auto_vacuum=INCREMENTAL"_s)
+        && execute(u"PRAGMA journal_mode=WAL"_s) && execute(u"PRAGMA synchronous=FULL"_s)
+        && execute(u"PRAGMA cache_size=-8192"_s) && execute(u"PRAGMA journal_size_limit=16777216"_s);
 }
 
 bool ArchiveDatabase::migrate()
