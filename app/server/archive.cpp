@@ -11,6 +11,12 @@ Archive::Archive(const Site &site)
     }
 }
 
+Archive::~Archive()
+{
+    m_thread.quit();
+    m_thread.wait();
+}
+
 void Archive::makeWriter(const ArchiveConfig &config, const Site &site)
 {
     m_writer = std::make_unique<ArchiveWriter>(config);

@@ -27,6 +27,8 @@ public:
     };
 
     explicit Archive(const Site &site);
+    /// Waits for the writer.
+    ~Archive() override;
 
     ArchiveReader &reader() { return m_reader; }
 

@@ -165,11 +165,15 @@ bool ArchiveRecorder::commit(UtcTime now)
     return !m_isWaiting && writeChunks(m_isAnew);
 }
 
-bool ArchiveRecorder::finish(UtcTime now)
+bool ArchiveRecorder::finish(ArchiveInbox &inbox, UtcTime now)
 {
+    if (m_isWaiting && !commit(now)) {
+        return false;
+    }
+    take(inbox.take(), now);
     m_ledger.stop(now);
     m_waiting.gaps += m_ledger.takeChanges();
-    return isOpen() && writeWaiting(now) && writeChunks(true);
+    return writeWaiting(now) && (!m_isAnew || writeChunks(true));
 }
 
 void ArchiveRecorder::close()

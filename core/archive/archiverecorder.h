@@ -39,8 +39,8 @@ public:
 
     /// Writes what was taken, and chunks that are ripe. False: nothing of it was written, or not all chunks; it waits.
     bool commit(UtcTime now);
-    /// The program ends: everything open becomes chunks.
-    bool finish(UtcTime now);
+    /// The program ends: takes the last and commits it. What is in no chunk stays in the tail, so that it is quick.
+    bool finish(ArchiveInbox &inbox, UtcTime now);
     void close();
 
     /// A damaged store is to be set aside: what is open goes into chunks of the next one.

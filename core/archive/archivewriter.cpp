@@ -105,9 +105,14 @@ void ArchiveWriter::sweep(UtcTime now)
 void ArchiveWriter::stop()
 {
     m_timer.stop();
-    m_retryAt.reset();
-    flush();
-    m_recorder.finish(m_clock());
+    const UtcTime now = m_clock();
+    if (m_recorder.isOpen() || m_recorder.open(now)) {
+        if (!m_recorder.finish(m_inbox, now)) {
+            failed();
+        }
+    } else {
+        failed();
+    }
     m_recorder.close();
 }
 
