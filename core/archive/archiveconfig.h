@@ -1,12 +1,11 @@
 #pragma once
 
+#include "core/config/archivesettings.h"
 #include "core/values/lineconfig.h"
 
 #include <chrono>
 
 namespace gorizont {
-
-enum class ArchiveDriver : quint8 { Sqlite, PostgreSql };
 
 /// How long each kind of data is kept; 0: for ever.
 struct ArchiveRetention
@@ -35,5 +34,10 @@ struct ArchiveConfig
     std::chrono::milliseconds retryInterval{3000}; ///< after a failure the store is asked this often
     std::chrono::milliseconds retentionInterval{600'000};
 };
+
+struct ServerConfig;
+
+/// What [Archive] says; a file and a password file that are relative are those of \a dataFolder.
+ArchiveConfig archiveConfig(const ServerConfig &config, const QString &dataFolder);
 
 } // namespace gorizont

@@ -64,12 +64,11 @@ bool ArchiveRecorder::load(UtcTime now)
         return false;
     }
     m_known = *sensors;
-    if (m_isAnew) {
-        return true;
-    }
-    replay(*rows);
-    if (m_triedAt && m_triedAt == alive) {
-        m_waiting = {}; // it was committed, only the answer was lost
+    if (!m_isAnew) {
+        replay(*rows);
+        if (m_triedAt && m_triedAt == alive) {
+            m_waiting = {}; // it was committed, only the answer was lost
+        }
     }
     return m_hasStarted || startLedger(now, alive.value_or(now));
 }
@@ -166,11 +165,15 @@ bool ArchiveRecorder::commit(UtcTime now)
     return !m_isWaiting && writeChunks(m_isAnew);
 }
 
-bool ArchiveRecorder::finish(UtcTime now)
+bool ArchiveRecorder::finish(ArchiveInbox &inbox, UtcTime now)
 {
+    if (m_isWaiting && !commit(now)) {
+        return false;
+    }
+    take(inbox.take(), now);
     m_ledger.stop(now);
     m_waiting.gaps += m_ledger.takeChanges();
-    return isOpen() && writeWaiting(now) && writeChunks(true);
+    return writeWaiting(now) && (!m_isAnew || writeChunks(true));
 }
 
 void ArchiveRecorder::close()
@@ -187,6 +190,56 @@ void ArchiveRecorder::startAnew()
     m_open.forgetRows();
     m_lastRow = 0;
     m_isAnew = true;
+}
+
+void ArchiveRecorder::startSalvage(const QString &file)
+{
+    m_salvage = std::make_unique<Salvage>(file, m_config, !m_hasStarted);
+}
+
+/// False: the store failed; the same rows are tried again.
+bool ArchiveRecorder::salvage()
+{
+    if (!m_salvage) {
+        return true;
+    }
+    ArchiveDatabase &database = m_store.database();
+    const QHash<int, KnownSensor> knownBefore = m_known;
+    auto outcome = database.begin() ? m_salvage->step(m_store, m_rollups) : Salvage::Outcome::Failed;
+    const bool isGood = outcome != Salvage::Outcome::Failed && putSalvagedSensors() && database.commit();
+    if (!isGood) {
+        fail();
+        database.rollback();
+        m_rollups.forget();
+        m_salvage->undo();
+        m_known = knownBefore;
+        return false;
+    }
+    if (outcome == Salvage::Outcome::Done) {
+        m_note(
+            JournalKind::Info,
+            tr("What could be read of the damaged archive is in the new one: %1 rows.").arg(m_salvage->rescued()));
+        m_salvage.reset();
+    }
+    return true;
+}
+
+bool ArchiveRecorder::putSalvagedSensors()
+{
+    const QHash<int, UtcTime> from = m_salvage->knownFrom();
+    for (auto sensor = from.cbegin(); sensor != from.cend(); ++sensor) {
+        const auto known = m_known.constFind(sensor.key());
+        if (known != m_known.constEnd() && known->from <= *sensor) {
+            continue;
+        }
+        KnownSensor &earlier = m_known[sensor.key()];
+        earlier.from = *sensor;
+        earlier.until = std::max(earlier.until, *sensor);
+        if (!m_store.putSensor(sensor.key(), earlier)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool ArchiveRecorder::writeWaiting(UtcTime now)
