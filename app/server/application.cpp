@@ -68,9 +68,8 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     m_registry.setChains(settings.config.chains);
     connect(&m_alarms, &AlarmWatch::journal, &m_journal, &Journal::append);
     makeHistory();
-    m_archive = std::make_unique<Archive>(Archive::Site{
-        m_settings.config, m_settings.dataFolder, settings.config.savesFiles && settings.ownsDataFolder, m_registry,
-        m_journal});
+    m_archive = std::make_unique<Archive>(
+        Archive::Site{m_settings.config, m_settings.dataFolder, settings.ownsDataFolder, m_registry, m_journal});
     m_feeds = std::make_unique<Feeds>(Feeds::Site{
         m_settings.config, m_settings.dataFolder, m_settings.ownsDataFolder, m_registry, m_journal, *m_history,
         m_serversThread});
@@ -271,6 +270,7 @@ bool Application::shutdown()
     m_archive->stop();
     m_storageThread.quit();
     haveAllEnded = m_storageThread.wait(deadline) && haveAllEnded;
+    haveAllEnded = m_archive->wait(deadline) && haveAllEnded;
     return m_printerThread.wait(deadline) && haveAllEnded;
 }
 

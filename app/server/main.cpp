@@ -102,7 +102,7 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
         application.registry(), application.journal(), application.alarms(), site.reading.config,
         site.reading.complaints);
     window.offerService([&application](int port) { return application.worker(port); }, application.journal());
-    addWindowPages(window, application.registry(), {{}, site.dataFolder});
+    addWindowPages(window, {application.registry(), application.archive(), site.reading.config, site.dataFolder});
     const TrayIcon tray(window, application.registry(), application.alarms());
     QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);

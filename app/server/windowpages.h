@@ -1,22 +1,24 @@
 #pragma once
 
-#include "core/values/series.h"
-
 #include <QString>
 
 namespace gorizont {
 
+class ArchiveReader;
 class MainWindow;
 class SensorRegistry;
+struct ServerConfig;
 
-/// What the pages of the window beside the tabs of the manual are fed from.
+/// What the pages of the window beside the tabs of the manual show.
 struct PageSources
 {
-    SeriesSource series; ///< null: nothing is archived
+    SensorRegistry &registry;
+    ArchiveReader &archive;
+    const ServerConfig &config;
     QString dataFolder;
 };
 
-/// Adds <Графики>, and <Перемещения> where the site has chains. The registry outlives the window.
-void addWindowPages(MainWindow &window, SensorRegistry &registry, const PageSources &sources);
+/// Adds <Графики>, <История>, and <Перемещения> where the site has chains. All sources outlive the window.
+void addWindowPages(MainWindow &window, const PageSources &sources);
 
 } // namespace gorizont

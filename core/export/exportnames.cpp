@@ -38,6 +38,8 @@ constexpr std::array names{
     Name{Quantity::AccelDirection, "accel-direction", "deg", 2},
     Name{Quantity::SampleX, "sample-x", "mm/s2", 4},
     Name{Quantity::SampleY, "sample-y", "mm/s2", 4},
+    Name{Quantity::DisplacementX, "displacement-x", "mm", 3},
+    Name{Quantity::DisplacementY, "displacement-y", "mm", 3},
 };
 
 const Name &nameOf(Quantity quantity)
@@ -91,6 +93,8 @@ QString quantity(Quantity quantity)
     case Quantity::AccelDirection: return Export::tr("Direction of the maximum");
     case Quantity::SampleX: return Export::tr("Acceleration X");
     case Quantity::SampleY: return Export::tr("Acceleration Y");
+    case Quantity::DisplacementX: return Export::tr("Displacement X");
+    case Quantity::DisplacementY: return Export::tr("Displacement Y");
     }
     return {};
 }
@@ -104,6 +108,8 @@ QString unit(Quantity quantity)
     case Quantity::HeaterPower: return Export::tr("%");
     case Quantity::FanFrequency: return Export::tr("1/s");
     case Quantity::AccelDirection: return Export::tr("degrees");
+    case Quantity::DisplacementX:
+    case Quantity::DisplacementY: return Export::tr("mm");
     default: return Export::tr("mm/s²");
     }
 }
