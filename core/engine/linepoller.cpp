@@ -137,7 +137,8 @@ Result<void> LinePoller::keepAwake(Line &line)
 void LinePoller::silenceFor(PolledSensor &sensor, TurnReport &report)
 {
     const std::chrono::seconds silence = sensor.driver().takeSilence();
-    if (silence > std::chrono::seconds(0) && m_care.keepSilent(silence, now())) {
+    if (silence > std::chrono::seconds(0) && m_care.mayBeSilenced(now())) {
+        m_care.keepSilent(silence, now());
         report.events.append(
             {JournalKind::Info,
              PollerText::tr("%1 does not answer; its port is silent for %2 s, so that it restarts")

@@ -51,6 +51,9 @@ public:
     /// Says something if the line was silent for so long that devices with a watchdog would restart; for a line in service.
     Result<void> keepAwake(Line &line);
 
+    /// Nothing is said for \a length, also not by keepAwake(), so that devices that hang restart.
+    void keepSilent(std::chrono::seconds length) { m_care.keepSilent(length, std::chrono::steady_clock::now()); }
+
     /// Polling starts: the line was opened, or service ended.
     void restart();
     /// Parked sensors are asked at the next opportunity.

@@ -70,6 +70,11 @@ void LineWorker::retry()
     });
 }
 
+void LineWorker::keepSilent(std::chrono::seconds length)
+{
+    submit([this, length](Line &) { m_poller.keepSilent(length); });
+}
+
 void LineWorker::interrupt()
 {
     const QMutexLocker lock(&m_lineMutex);

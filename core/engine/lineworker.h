@@ -48,6 +48,10 @@ public:
     /// Thread-safe.
     void retry();
 
+    /// In service nothing is said on the line for \a length unless a step says it, so that the watchdogs of devices that hang
+    /// restart them. Thread-safe.
+    void keepSilent(std::chrono::seconds length);
+
     /// Ends a running wait and every later one, so that the thread can be stopped. Thread-safe, final.
     void interrupt();
 

@@ -32,14 +32,15 @@ std::optional<SteadyTime> WatchdogCare::nextAt() const
     return m_silentUntil ? std::max(spokenEnough, *m_silentUntil) : spokenEnough;
 }
 
-bool WatchdogCare::keepSilent(std::chrono::seconds length, SteadyTime now)
+bool WatchdogCare::mayBeSilenced(SteadyTime now) const
 {
-    if (m_silencedAt && now - *m_silencedAt < betweenSilences) {
-        return false;
-    }
+    return !m_silencedAt || now - *m_silencedAt >= betweenSilences;
+}
+
+void WatchdogCare::keepSilent(std::chrono::seconds length, SteadyTime now)
+{
     m_silencedAt = now;
     m_silentUntil = now + length;
-    return true;
 }
 
 } // namespace gorizont

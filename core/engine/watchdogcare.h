@@ -28,8 +28,10 @@ public:
     /// When due() will have something. Empty: never.
     std::optional<SteadyTime> nextAt() const;
 
-    /// From \a now on the line is silent for \a length. False: it was not long ago that it was.
-    bool keepSilent(std::chrono::seconds length, SteadyTime now);
+    /// Whether the last silence is long enough ago.
+    bool mayBeSilenced(SteadyTime now) const;
+    /// From \a now on the line is silent for \a length.
+    void keepSilent(std::chrono::seconds length, SteadyTime now);
     bool isSilent(SteadyTime now) const { return m_silentUntil && now < *m_silentUntil; }
     SteadyTime silentUntil() const { return m_silentUntil.value_or(SteadyTime()); }
 
