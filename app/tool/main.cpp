@@ -1,3 +1,4 @@
+#include "app/tool/archivecommand.h"
 #include "app/tool/interruption.h"
 #include "app/tool/options.h"
 #include "app/tool/output.h"
@@ -55,6 +56,9 @@ int main(int argc, char **argv)
     QCoreApplication::setApplicationVersion(QStringLiteral(GORIZONT_VERSION));
     const QStringList arguments = QCoreApplication::arguments();
     installTranslation(languageArgument(arguments));
+    if (arguments.value(1) == u"archive") {
+        return runArchive(arguments.mid(2));
+    }
     const auto parsed = parseOptions(arguments);
     if (const auto *words = std::get_if<LastWords>(&parsed)) {
         return sayLastWords(*words);

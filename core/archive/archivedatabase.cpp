@@ -137,7 +137,8 @@ bool ArchiveDatabase::configure()
 {
     if (!isSqlite()) {
         const QString schema = quotedName(m_config.site);
-        return (m_access != Access::Write || execute(u"CREATE SCHEMA IF NOT EXISTS "_s + schema))
+        return execute(u"SET client_min_messages TO warning"_s)
+            && (m_access != Access::Write || execute(u"CREATE SCHEMA IF NOT EXISTS "_s + schema))
             && execute(u"SET search_path TO "_s + schema);
     }
     if (m_access != Access::Write) {

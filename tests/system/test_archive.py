@@ -1,0 +1,77 @@
+"""The archive that the program keeps beside its text files: whole after `kill -9`, with the gap that it made."""
+import json
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+
+from site_under_test import PROGRAMS, Site, annex, free_port
+
+PROGRAM_STOPPED = 8
+
+
+def tool(*arguments):
+    return subprocess.run(
+        [str(PROGRAMS / "gorizont-tool"), "archive", *map(str, arguments)], capture_output=True, text=True, timeout=60)
+
+
+def rows(file, sql):
+    with sqlite3.connect(f"file:{file}?mode=ro", uri=True) as database:
+        return database.execute(sql).fetchall()
+
+
+def is_kept(file, least):
+    """At least so many commits are in the archive."""
+    try:
+        return rows(file, "SELECT count(*) FROM tail")[0][0] >= least
+    except sqlite3.OperationalError:
+        return False
+
+
+class Archive(unittest.TestCase):
+    def test_a_kill_leaves_a_whole_archive_and_a_gap(self):
+        with Site(annex(IPPort1=free_port(), IPPort2=free_port(), TmRun=200)) as site:
+            file = site.history / "archive.sqlite"
+            server = site.start()
+            server.wait_until(lambda: is_kept(file, 4), what="commits")
+            server.stop(signal.SIGKILL)
+            killed = time.time()
+            checked = tool("check", "--archive", file, "--json")
+            self.assertEqual(checked.returncode, 0, checked.stderr)
+            commits = json.loads(checked.stdout)["tail"]
+            self.assertGreaterEqual(commits, 4)
+            time.sleep(5)
+            server = site.start()
+            server.wait_until(
+                lambda: rows(file, f"SELECT count(*) FROM gap WHERE reason = {PROGRAM_STOPPED} AND finish IS NOT NULL")[0][0],
+                what="the gap")
+            copy = site.history / "copy.sqlite"
+            done = tool("backup", copy, "--archive", file)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(server.stop(), 0)
+            for start, finish in rows(file, f"SELECT start, finish FROM gap WHERE reason = {PROGRAM_STOPPED}"):
+                self.assertLess(abs(start / 1e6 - killed), 2.5)
+                self.assertGreater(finish / 1e6 - killed, 5)
+            for name in (file, copy):
+                self.assertEqual(tool("check", "--archive", name).returncode, 0, name)
+            self.assertGreater(len(rows(file, "SELECT id FROM event")), 4)
+            self.assertGreaterEqual(rows(file, "SELECT count(*) FROM tail")[0][0], commits)
+
+    def test_off_keeps_nothing(self):
+        with Site(annex(IPPort1=free_port(), IPPort2=free_port()) + "\n[Archive]\nOn=0\n") as site:
+            server = site.start()
+            server.wait_until(lambda: site.file_text("data").count("\n") > 1, what="records")
+            self.assertEqual(server.stop(), 0)
+            self.assertFalse((site.history / "archive.sqlite").exists())
+
+    def test_the_tool_explains_what_is_missing(self):
+        done = tool("check", "--archive", "/nonexistent/archive.sqlite")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("/nonexistent/archive.sqlite", done.stderr)
+        self.assertEqual(tool("frobnicate").returncode, 2)
+        self.assertEqual(tool("backup").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
