@@ -138,6 +138,21 @@
     </message>
 </context>
 <context>
+    <name>CsvText</name>
+    <message>
+        <source>Time</source>
+        <translation>Время</translation>
+    </message>
+    <message>
+        <source>%1, min.</source>
+        <translation>%1, мин.</translation>
+    </message>
+    <message>
+        <source>%1, max.</source>
+        <translation>%1, макс.</translation>
+    </message>
+</context>
+<context>
     <name>Export</name>
     <message>
         <source>Time</source>
@@ -296,6 +311,18 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Since</source>
         <translation>С момента</translation>
+    </message>
+    <message>
+        <source>Displacement X</source>
+        <translation>Перемещение X</translation>
+    </message>
+    <message>
+        <source>Displacement Y</source>
+        <translation>Перемещение Y</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
     </message>
 </context>
 <context>
@@ -1536,6 +1563,30 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>The length L%1 of link %1, in metres, is missing.</source>
         <translation>Не задана длина L%1 звена %1 в метрах.</translation>
     </message>
+    <message>
+        <source>QPSQL needs Host and Database.</source>
+        <translation>Для QPSQL нужны Host и Database.</translation>
+    </message>
+    <message>
+        <source>The archive is a file, as with QSQLITE.</source>
+        <translation>Архив ведётся в файле, как при QSQLITE.</translation>
+    </message>
+    <message>
+        <source>Rollups cannot be removed before the readings of KeepRaw.</source>
+        <translation>Сводки нельзя удалять раньше показаний KeepRaw.</translation>
+    </message>
+    <message>
+        <source>They are kept as long as those.</source>
+        <translation>Они хранятся столько же.</translation>
+    </message>
+    <message>
+        <source>An archive needs at least %1 MB.</source>
+        <translation>Архиву нужно не менее %1 МБ.</translation>
+    </message>
+    <message>
+        <source>That size is used.</source>
+        <translation>Используется этот размер.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -2563,6 +2614,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>Displacement</source>
         <translation>Перемещения</translation>
     </message>
+    <message>
+        <source>History</source>
+        <translation>История</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::AlarmWatch</name>
@@ -2820,6 +2875,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The archive could not be written for too long: readings of %1 sensors, %2 blocks of samples and %3 events are not in it.</source>
         <translation>Архив слишком долго не удавалось записать: в него не попали показания датчиков (%1), блоки отсчётов (%2) и события (%3).</translation>
+    </message>
+    <message>
+        <source>What could be read of the damaged archive is in the new one: %1 rows.</source>
+        <translation>Всё, что удалось прочесть из повреждённого архива, перенесено в новый: строк — %1.</translation>
     </message>
 </context>
 <context>
@@ -3103,6 +3162,64 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>the file is far too large to be a configuration</source>
         <translation>файл слишком велик для файла настроек</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::CursorModel</name>
+    <message>
+        <source>Mean of all valid readings between the cursors</source>
+        <translation>Среднее всех достоверных показаний между курсорами</translation>
+    </message>
+    <message>
+        <source>Slope of the straight line of least squares, an hour</source>
+        <translation>Наклон прямой наименьших квадратов за час</translation>
+    </message>
+    <message>
+        <source>Slope of the straight line of least squares, a day</source>
+        <translation>Наклон прямой наименьших квадратов за сутки</translation>
+    </message>
+    <message>
+        <source>Share of the time between the cursors without gaps, %</source>
+        <translation>Доля времени между курсорами без пропусков, %</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Кривая</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>Slope / h</source>
+        <translation>Наклон / ч</translation>
+    </message>
+    <message>
+        <source>Slope / day</source>
+        <translation>Наклон / сут</translation>
+    </message>
+    <message>
+        <source>Min.</source>
+        <translation>Мин.</translation>
+    </message>
+    <message>
+        <source>Max.</source>
+        <translation>Макс.</translation>
+    </message>
+    <message>
+        <source>Complete, %</source>
+        <translation>Полнота, %</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::CursorPanel</name>
+    <message>
+        <source>Nothing is drawn.</source>
+        <translation>Ничего не показано.</translation>
+    </message>
+    <message>
+        <source>A: %1   B: %2   Between them: %3</source>
+        <translation>A: %1   B: %2   Между ними: %3</translation>
     </message>
 </context>
 <context>
@@ -3838,6 +3955,21 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Journal</source>
         <translation>Журнал</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Inspection</name>
+    <message>
+        <source>There is no archive %1.</source>
+        <translation>Архива %1 нет.</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Name another file.</source>
+        <translation>%1 уже есть. Укажите другой файл.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Не удаётся записать %1.</translation>
     </message>
 </context>
 <context>
@@ -5000,6 +5132,62 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <source>arc-seconds</source>
         <translation>угл. секунды</translation>
     </message>
+    <message>
+        <source>Save what is seen</source>
+        <translation>Сохранить показанное</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder, or close the program that has the file open.</source>
+        <translation>Не удаётся записать %1. Выберите другую папку или закройте программу, в которой открыт файл.</translation>
+    </message>
+    <message>
+        <source>Keep the layout</source>
+        <translation>Сохранить набор</translation>
+    </message>
+    <message>
+        <source>Curves and span are kept under this name:</source>
+        <translation>Кривые и промежуток сохраняются под именем:</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Удалить</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as…</source>
+        <translation>&amp;Сохранить как…</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Курсоры</translation>
+    </message>
+    <message>
+        <source>Two lines to read values, differences and slopes; drag them, or move A with Ctrl and B with Shift and the arrow keys</source>
+        <translation>Две линии для отсчёта значений, разностей и наклонов; перетаскиваются мышью, стрелками с Ctrl движется A, с Shift — B</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Наборы</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Сохранить</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Рисунок (PNG)…</translation>
+    </message>
+    <message>
+        <source>&amp;Document (PDF)…</source>
+        <translation>&amp;Документ (PDF)…</translation>
+    </message>
+    <message>
+        <source>Table for &amp;Excel (CSV)…</source>
+        <translation>Таблица для &amp;Excel (CSV)…</translation>
+    </message>
+    <message>
+        <source>Table for p&amp;rograms (CSV, ISO 8601)…</source>
+        <translation>Таблица для &amp;программ (CSV, ISO 8601)…</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::tool::Text</name>
@@ -5810,6 +5998,34 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>The device has taken its new port settings; this line cannot try them.</source>
         <translation>Устройство приняло новые настройки порта; на этой линии их нельзя проверить.</translation>
+    </message>
+    <message>
+        <source>Looks after the archive of Gorizont Server; the server may run meanwhile.</source>
+        <translation>Обслуживает архив Gorizont Server; сервер при этом может работать.</translation>
+    </message>
+    <message>
+        <source>check          reads all of it and compares every check sum
+stat           prints what is in it
+backup TARGET  copies it as it is at this moment to a file that does not exist yet</source>
+        <translation>check          читает его целиком и сверяет все контрольные суммы
+stat           выводит, что в нём есть
+backup ЦЕЛЬ    копирует его в нынешнем виде в файл, которого ещё нет</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 it is damaged, or cannot be read or copied; 2 the command line is wrong.</source>
+        <translation>Коды завершения: 0 — сделано; 1 — повреждён или не читается, не копируется; 2 — ошибка в командной строке.</translation>
+    </message>
+    <message>
+        <source>The file; History/archive.sqlite if not given.</source>
+        <translation>Файл; без ключа History/archive.sqlite.</translation>
+    </message>
+    <message>
+        <source>archive takes check, stat or backup TARGET; see gorizont-tool archive --help</source>
+        <translation>archive понимает check, stat или backup ЦЕЛЬ; см. gorizont-tool archive --help</translation>
+    </message>
+    <message>
+        <source>gorizont-tool archive --help tells of the archive of readings.</source>
+        <translation>gorizont-tool archive --help рассказывает об архиве показаний.</translation>
     </message>
 </context>
 </TS>
