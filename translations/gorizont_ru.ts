@@ -6027,5 +6027,13 @@ backup ЦЕЛЬ    копирует его в нынешнем виде в фа�
         <source>gorizont-tool archive --help tells of the archive of readings.</source>
         <translation>gorizont-tool archive --help рассказывает об архиве показаний.</translation>
     </message>
+    <message>
+        <source>The folder with History; the folder of the configuration if not given.</source>
+        <translation>Папка, где лежит History; без ключа — папка конфигурации.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. Name the configuration with --config.</source>
+        <translation>Не удаётся прочитать %1: %2. Укажите конфигурацию ключом --config.</translation>
+    </message>
 </context>
 </TS>

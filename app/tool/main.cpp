@@ -1,4 +1,5 @@
 #include "app/tool/archivecommand.h"
+#include "app/tool/exportprogram.h"
 #include "app/tool/interruption.h"
 #include "app/tool/options.h"
 #include "app/tool/output.h"
@@ -58,6 +59,9 @@ int main(int argc, char **argv)
     installTranslation(languageArgument(arguments));
     if (arguments.value(1) == u"archive") {
         return runArchive(arguments.mid(2));
+    }
+    if (arguments.value(1) == u"export") {
+        return runExportProgram(arguments.mid(2));
     }
     const auto parsed = parseOptions(arguments);
     if (const auto *words = std::get_if<LastWords>(&parsed)) {

@@ -16,6 +16,11 @@ def tool(*arguments):
         [str(PROGRAMS / "gorizont-tool"), "archive", *map(str, arguments)], capture_output=True, text=True, timeout=60)
 
 
+def tool_export(*arguments):
+    return subprocess.run(
+        [str(PROGRAMS / "gorizont-tool"), "export", *map(str, arguments)], capture_output=True, text=True, timeout=60)
+
+
 def rows(file, sql):
     with sqlite3.connect(f"file:{file}?mode=ro", uri=True) as database:
         return database.execute(sql).fetchall()
@@ -57,6 +62,29 @@ class Archive(unittest.TestCase):
                 self.assertEqual(tool("check", "--archive", name).returncode, 0, name)
             self.assertGreater(len(rows(file, "SELECT id FROM event")), 4)
             self.assertGreaterEqual(rows(file, "SELECT count(*) FROM tail")[0][0], commits)
+
+    def test_the_tool_exports_what_was_printed(self):
+        with Site(annex(IPPort1=free_port(), IPPort2=free_port(), TmRun=200)) as site:
+            server = site.start()
+            server.wait_until(lambda: len([r for r in site.readings() if r["number"] == 3]) > 20, what="readings")
+            self.assertEqual(server.stop(), 0)
+            printed = {r["time"]: r["tiltX"] for r in site.readings() if r["number"] == 3 and "tiltX" in r}
+            begin, end = min(printed), max(printed)
+            table = site.folder / "out.csv"
+            done = tool_export(
+                "--config", site.ini, "--from", begin, "--to", end, "--sensors", "3", "--quantities", "tilt-x",
+                "--format", "csv-iso", "--out", table, "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            lines = table.read_text("utf-8").splitlines()[1:]
+            self.assertEqual(json.loads(done.stdout)["rows"], len(lines))
+            exported = {time: float(value) for time, value in (line.split(",") for line in lines) if value}
+            # The times are printed cut off to a millisecond, so the reading at the first one may lie before or behind it.
+            self.assertGreaterEqual(len(exported), len(printed) - 2)
+            for moment, value in exported.items():
+                self.assertAlmostEqual(value, printed[moment], delta=0.0006)
+            # Nothing asked for, nothing written.
+            self.assertEqual(tool_export("--config", site.ini).returncode, 2)
+            self.assertEqual(tool_export("--config", site.folder / "no.ini").returncode, 2)
 
     def test_off_keeps_nothing(self):
         with Site(annex(IPPort1=free_port(), IPPort2=free_port()) + "\n[Archive]\nOn=0\n") as site:
