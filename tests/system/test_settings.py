@@ -189,6 +189,12 @@ class Work(unittest.TestCase):
             server = site.start()
             server.wait_until(lambda: len(site.readings()) > 20, what="readings")
             self.assertEqual(server.stop(), 0)
+            # The archive has a switch of its own.
+            self.assertEqual({path.name.split(".")[0] for path in site.history.iterdir()}, {"archive"})
+        with Site(ini(CanSave=0, TmSave=100, TmStart=0) + "\r\n[Archive]\r\nOn=0\r\n") as site:
+            server = site.start()
+            server.wait_until(lambda: len(site.readings()) > 20, what="readings")
+            self.assertEqual(server.stop(), 0)
             self.assertFalse(site.history.exists())
 
     def test_tm_save_is_the_period_of_the_records(self):
