@@ -33,6 +33,7 @@ private Q_SLOTS:
     void storesAndForgetsTheZero();
     void tellsWhyTheZeroWasNotStored();
     void withoutChainsItSaysWhatToDo();
+    void sentencesDoNotWidenTheWindow();
 
 private:
     void tilt(int number, double x, double y);
@@ -173,6 +174,13 @@ void TestDisplacementPage::withoutChainsItSaysWhatToDo()
     DisplacementPage page(*m_registry, m_folder->path());
     QCOMPARE(rows(page), QStringList());
     QVERIFY(!find<QPushButton>(page, "storeZero")->isEnabled());
+}
+
+void TestDisplacementPage::sentencesDoNotWidenTheWindow()
+{
+    DisplacementPage page(*m_registry, m_folder->path());
+    QVERIFY(find<QLabel>(page, "zeroText")->text().size() > 60);
+    QVERIFY2(page.minimumSizeHint().width() <= 700, qPrintable(QString::number(page.minimumSizeHint().width())));
 }
 
 QTEST_MAIN(TestDisplacementPage)

@@ -75,6 +75,7 @@ QWidget *DisplacementPage::makeBar()
     m_store->setToolTip(tr("Keeps the present shape, to see what changes from now on"));
     m_remove->setObjectName(QStringLiteral("removeZero"));
     m_zeroText->setObjectName(QStringLiteral("zeroText"));
+    m_zeroText->setWordWrap(true); // a sentence must not widen the window
     layout->addWidget(m_chain);
     layout->addWidget(m_zeroText, 1);
     layout->addWidget(m_store);
