@@ -2346,6 +2346,146 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>IP address to serve on</source>
         <translation>IP-адрес, на котором отдаются метрики</translation>
     </message>
+    <message>
+        <source>%1 d</source>
+        <translation>%1 сут</translation>
+    </message>
+    <message>
+        <source>for ever</source>
+        <translation>всегда</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>counted from the folder of the data</source>
+        <translation>считается от папки данных</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Сервер</translation>
+    </message>
+    <message>
+        <source>name or address of the PostgreSQL server</source>
+        <translation>имя или адрес сервера PostgreSQL</translation>
+    </message>
+    <message>
+        <source>Port of the server</source>
+        <translation>Порт сервера</translation>
+    </message>
+    <message>
+        <source>usually 5432</source>
+        <translation>обычно 5432</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>База данных</translation>
+    </message>
+    <message>
+        <source>name of the database there</source>
+        <translation>имя базы данных на сервере</translation>
+    </message>
+    <message>
+        <source>who writes into the database</source>
+        <translation>кто пишет в базу данных</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Объект</translation>
+    </message>
+    <message>
+        <source>schema of this site, so that many share a database</source>
+        <translation>схема этого объекта: в одной базе их может быть много</translation>
+    </message>
+    <message>
+        <source>Keep an archive</source>
+        <translation>Вести архив</translation>
+    </message>
+    <message>
+        <source>keep every reading, for trends and history?</source>
+        <translation>хранить каждое показание для графиков и истории?</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Хранится</translation>
+    </message>
+    <message>
+        <source>a file</source>
+        <translation>в файле</translation>
+    </message>
+    <message>
+        <source>PostgreSQL</source>
+        <translation>PostgreSQL</translation>
+    </message>
+    <message>
+        <source>QSQLITE: a file of its own; QPSQL: a PostgreSQL server</source>
+        <translation>QSQLITE — отдельный файл; QPSQL — сервер PostgreSQL</translation>
+    </message>
+    <message>
+        <source>Readings kept</source>
+        <translation>Хранить показания</translation>
+    </message>
+    <message>
+        <source>how long at full rate</source>
+        <translation>сколько хранить все показания</translation>
+    </message>
+    <message>
+        <source>Samples kept</source>
+        <translation>Хранить отсчёты</translation>
+    </message>
+    <message>
+        <source>how long the samples of accelerometers</source>
+        <translation>сколько хранить отсчёты акселерометров</translation>
+    </message>
+    <message>
+        <source>Sums kept</source>
+        <translation>Хранить сводки</translation>
+    </message>
+    <message>
+        <source>how long the sums of minutes, hours and days</source>
+        <translation>сколько хранить сводки за минуты, часы и сутки</translation>
+    </message>
+    <message>
+        <source>Events kept</source>
+        <translation>Хранить события</translation>
+    </message>
+    <message>
+        <source>how long events of the journal and gaps</source>
+        <translation>сколько хранить события журнала и пропуски</translation>
+    </message>
+    <message>
+        <source>Size at most</source>
+        <translation>Размер не более</translation>
+    </message>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 МБ</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>любой</translation>
+    </message>
+    <message>
+        <source>the oldest goes first</source>
+        <translation>сначала удаляется самое старое</translation>
+    </message>
+    <message>
+        <source>what the sensors stand on</source>
+        <translation>на чём стоят датчики</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Звено %1</translation>
+    </message>
+    <message>
+        <source>sensor %1, %2 m</source>
+        <translation>датчик %1, %2 м</translation>
+    </message>
+    <message>
+        <source>number of the sensor and length of its link, from the bottom</source>
+        <translation>номер датчика и длина его звена, снизу вверх</translation>
+    </message>
 </context>
 <context>
     <name>State</name>

@@ -134,6 +134,7 @@ private Q_SLOTS:
         ServerConfig config = test::sampleConfig();
         config.mqtt.host = QStringLiteral("broker.example");
         config.metrics.port = 9100;
+        config.chains = {{3, {}, {{2, 3.6}}}};
         for (const Property &property : portProperties(registry.lines().front(), now)
                  + sensorProperties(registry.sensors().front(), LineState::Open, now) + serverSettings(config)
                  + lineSettings(config, config.lines.first())
@@ -203,11 +204,34 @@ private Q_SLOTS:
                 "Портов в списке | 3\nЗапрашивать информацию | нет\nБуферов в файле | 1\n"
                 "Ускорение св. падения, м/с² | 9.81347\nБиты статуса прежней программы | нет\n"
                 "Интерфейс OPC DA | нет\n"
+                "[Archive]\nВести архив | да\nХранится | в файле\nФайл | History/archive.sqlite\n"
+                "Хранить показания | всегда\nХранить отсчёты | всегда\nХранить сводки | всегда\n"
+                "Хранить события | всегда\nРазмер не более | любой\n"
                 "[Modbus TCP]\nСервер Modbus TCP | да\nПорядок датчиков | по типам\nПервый регистр | 0\n"
                 "Клиентов не более | 64\nОтключать молчащих клиентов | через 600 с\nАдрес сервера | все\n"
                 "Разрешённые клиенты | все\n"
                 "[ADC24 TCP]\nСервер ADC24 TCP | да\nIP порт ADC24 | 503\nОтдаваемый акселерометр | первый\n"
                 "Отдаваемая ось | X\n[MQTT]\nБрокер | нет\n[Metrics]\nМетрики для Prometheus | выключены"));
+    }
+
+    void archiveOnAServerAndChains()
+    {
+        ServerConfig config = test::sampleConfig();
+        config.archive.driver = ArchiveDriver::PostgreSql;
+        config.archive.host = QStringLiteral("db.example");
+        config.archive.database = QStringLiteral("sites");
+        config.archive.keepRaw = 400;
+        config.archive.mostSize = 20000;
+        config.chains = {{3, QStringLiteral("Колонна"), {{2, 3.6}}}};
+        const QString settings = text(serverSettings(config));
+        QVERIFY(settings.contains(QStringLiteral("Хранится | PostgreSQL\nСервер | db.example\nПорт сервера | 5432\n"
+                                                 "База данных | sites\n")));
+        QVERIFY(settings.contains(QStringLiteral("Хранить показания | 400 сут\n")));
+        QVERIFY(settings.contains(QStringLiteral("Размер не более | 20000 МБ\n")));
+        QVERIFY(settings.contains(
+            QStringLiteral("[Chain3]\nКомментарий | Колонна\nЗвено 1 | датчик 2, 3.6 м\n[Modbus TCP]")));
+        config.archive.isOn = false;
+        QVERIFY(text(serverSettings(config)).contains(QStringLiteral("Вести архив | нет\n[Chain3]")));
     }
 
     void brokerAndMetrics()

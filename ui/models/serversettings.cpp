@@ -4,6 +4,7 @@
 #include "ui/models/settingsproperties.h"
 #include "ui/models/settingssection.h"
 #include "ui/models/statetext.h"
+#include "ui/models/storagesettings.h"
 #include "ui/models/valuetext.h"
 
 namespace gorizont {
@@ -151,7 +152,7 @@ Properties serverSettings(const ServerConfig &config)
     addErrors(config, list);
     addMore(config, list);
     addProgram(config, list);
-    return list + networkSettings(config);
+    return list + storageSettings(config) + networkSettings(config);
 }
 
 } // namespace gorizont
