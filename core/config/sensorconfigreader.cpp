@@ -59,7 +59,7 @@ void setCapabilities(SensorConfig &sensor, bool isAccelOn)
     sensor.hasThermostat = keywords.hasThermostat;
     const bool isAnD3 = sensor.type == SensorType::AnD3;
     sensor.measuresTilt = isAnD3 || sensor.type == SensorType::InD || sensor.type == SensorType::UsmIsn;
-    sensor.measuresTemperature = isAnD3;
+    sensor.measuresTemperature = isAnD3 || sensor.type == SensorType::UsmIsn;
     sensor.measuresAcceleration = isAnD3 && isAccelOn;
 }
 

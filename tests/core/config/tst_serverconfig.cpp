@@ -304,7 +304,7 @@ void TestServerConfig::setsCapabilitiesByType()
         quantities,
         (QStringList{
             u"IN-D3, SND3 , tilt"_s, u"AN-D3, SND3 , tilt temperature acceleration"_s,
-            u"AN-D3, SND3 , tilt temperature heating"_s, u"USM-ISN, SND3 , tilt"_s, u"L-VIMS, SND3 , "_s,
+            u"AN-D3, SND3 , tilt temperature heating"_s, u"USM-ISN, SND3 , tilt temperature"_s, u"L-VIMS, SND3 , "_s,
             u"MK-14, SND3 , "_s, u", SND3 , "_s}));
     QCOMPARE(complaintTexts(reading), QStringList());
 }
