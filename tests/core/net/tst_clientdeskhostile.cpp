@@ -6,11 +6,9 @@
 
 #include <QRandomGenerator>
 
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <utility>
 #include <vector>
 
@@ -80,33 +78,6 @@ class TestClientDeskHostile : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// A process that was started while somebody was connected holds the socket on after we have closed it.
-    void forgetsAClientWhoseSocketIsHeldElsewhere()
-    {
-        ClientDesk desk(toyService(), {});
-        QVERIFY(desk.open(loopback(), 0));
-        RawSocket client;
-        QVERIFY(client.connect(desk.port()));
-        QTRY_COMPARE(desk.clients().size(), 1);
-        const pid_t holder = ::fork();
-        if (holder == 0) {
-            ::pause();
-            ::_exit(0);
-        }
-        QVERIFY(holder > 0);
-        QVERIFY(client.send(request) > 0);
-        client.close();
-        QTRY_COMPARE(desk.clients().size(), 0);
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        const CpuShare share;
-        QTest::qWait(500); // what the socket still says must reach nobody and keep nobody busy
-        QVERIFY(!share.spins());
-        ::kill(holder, SIGKILL);
-        ::waitpid(holder, nullptr, 0);
-        TestClient other(desk.port());
-        QCOMPARE(other.ask(request, 45).size(), 45);
-    }
-
     void dropsAClientThatNeverReads()
     {
         DeskConfig config;
