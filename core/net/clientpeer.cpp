@@ -45,6 +45,7 @@ void ClientPeer::leave()
     m_stall.stop();
     m_patience.stop();
     if (m_descriptor >= 0) {
+        m_watch.remove(m_descriptor);
         ::close(m_descriptor);
         m_descriptor = -1;
     }

@@ -41,6 +41,11 @@ bool PeerWatch::add(int descriptor, ClientPeer *peer)
     return control(m_epoll, EPOLL_CTL_ADD, descriptor, peer, EPOLLIN);
 }
 
+void PeerWatch::remove(int descriptor)
+{
+    control(m_epoll, EPOLL_CTL_DEL, descriptor, nullptr, 0);
+}
+
 void PeerWatch::choose(int descriptor, ClientPeer *peer, bool whenReadable, bool whenWritable)
 {
     const quint32 events = (whenReadable ? quint32{EPOLLIN} : 0) | (whenWritable ? quint32{EPOLLOUT} : 0);

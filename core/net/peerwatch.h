@@ -18,8 +18,11 @@ public:
     explicit PeerWatch(QObject *parent = nullptr);
     ~PeerWatch() override;
 
-    /// From now on ClientPeer::onReady() of \a peer is called until \a descriptor is closed. False: the system cannot.
+    /// From now on ClientPeer::onReady() of \a peer is called until remove(). False: the system cannot.
     bool add(int descriptor, ClientPeer *peer);
+    /// Before \a descriptor is closed: a process that was just started may hold the same socket for a moment, and then
+    /// closing alone ends nothing.
+    void remove(int descriptor);
     void choose(int descriptor, ClientPeer *peer, bool whenReadable, bool whenWritable);
 
 private:
