@@ -57,18 +57,19 @@ void ArchiveWriter::start()
 
 void ArchiveWriter::flush()
 {
+    const UtcTime now = m_clock();
+    if (m_recorder.isBridging()) { // first of all: to ask a server that is gone takes a while
+        takeInbox(now);
+        m_recorder.commit(now);
+    }
     if (m_retryAt && steadyNow() < *m_retryAt) {
         return;
     }
-    const UtcTime now = m_clock();
     if (!m_recorder.isOpen() && !m_recorder.open(now)) {
         failed();
         return;
     }
-    if (m_recorder.canTake()) {
-        noteClockStep(now);
-        m_recorder.take(m_inbox.take(), now);
-    }
+    takeInbox(now);
     if (m_recorder.commit(now)) {
         succeeded();
     } else {
@@ -76,11 +77,22 @@ void ArchiveWriter::flush()
     }
 }
 
+void ArchiveWriter::takeInbox(UtcTime now)
+{
+    if (m_recorder.canTake()) {
+        noteClockStep(now);
+        m_recorder.take(m_inbox.take(), now);
+    }
+}
+
 void ArchiveWriter::stop()
 {
     m_timer.stop();
-    m_retryAt.reset();
+    if (!m_recorder.isBridging()) {
+        m_retryAt.reset();
+    }
     flush();
+    takeInbox(m_clock()); // what came while something else waited
     m_recorder.finish(m_clock());
     m_recorder.close();
 }
@@ -118,7 +130,11 @@ void ArchiveWriter::failed()
     if (!m_retryAt) {
         note(
             JournalKind::Error,
-            tr("The archive is not being written: %1 It is tried again every few seconds.").arg(m_recorder.error()));
+            m_recorder.hasSpool()
+                ? tr("The archive is not being written: %1 Until it is, what is measured waits in %2.")
+                      .arg(m_recorder.error(), QDir::toNativeSeparators(spoolFile(m_config)))
+                : tr("The archive is not being written: %1 It is tried again every few seconds.")
+                      .arg(m_recorder.error()));
     }
     m_retryAt = steadyNow() + m_config.retryInterval;
     if (m_recorder.fault() != ArchiveFault::Busy && m_recorder.fault() != ArchiveFault::Full) {

@@ -43,6 +43,7 @@ Q_SIGNALS:
     void replaced();
 
 private:
+    void takeInbox(UtcTime now);
     void noteClockStep(UtcTime now);
     void failed();
     void succeeded();
