@@ -14,6 +14,29 @@
 
 namespace gorizont {
 
+namespace {
+
+/// 0: one that no device of the program has.
+int baudRateOf(speed_t speed)
+{
+    switch (speed) {
+    case B110: return 110;
+    case B300: return 300;
+    case B600: return 600;
+    case B1200: return 1200;
+    case B2400: return 2400;
+    case B4800: return 4800;
+    case B9600: return 9600;
+    case B19200: return 19200;
+    case B38400: return 38400;
+    case B57600: return 57600;
+    case B115200: return 115200;
+    default: return 0;
+    }
+}
+
+} // namespace
+
 PtyPort::PtyPort(const LineConfig &config, const SimulatedBus::Options &options, const QString &directory)
     : m_bus(config, options)
     , m_linkPath(QDir(directory).filePath(config.title()))
@@ -71,8 +94,25 @@ SimulatedBus::Time PtyPort::now() const
     return std::chrono::duration_cast<SimulatedBus::Time>(std::chrono::steady_clock::now() - m_started);
 }
 
+/// The speed and the stop bits that the host has set; a pty knows no parity.
+void PtyPort::followHost()
+{
+    termios settings{};
+    PortSettings port = m_bus.port();
+    const int baudRate = ::tcgetattr(m_slave, &settings) == 0 ? baudRateOf(::cfgetospeed(&settings)) : 0;
+    if (baudRate == 0) {
+        return;
+    }
+    port.baudRate = baudRate;
+    port.stopBits = settings.c_cflag & CSTOPB ? StopBits::Two : StopBits::One;
+    if (port != m_bus.port()) {
+        m_bus.setPort(port);
+    }
+}
+
 void PtyPort::onRequest()
 {
+    followHost();
     std::array<char, 4096> buffer{};
     const auto got = ::read(m_master, buffer.data(), buffer.size());
     if (got <= 0) {

@@ -31,6 +31,7 @@ public:
 
 private:
     void onRequest();
+    void followHost();
     void sendDue();
     void planNext();
     SimulatedBus::Time now() const;

@@ -28,6 +28,7 @@ ROOMS = {
     "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/mqtt": ["core/values", "core/files", "core/config", "core/registry"],
     "core/metrics": ["core/values", "core/config", "core/registry"],
+    "core/export": ["core/values"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
     "ui/plots": ["ui", "core/values", "core/config", "core/registry", "core/analysis", "core/history/historysource.h"],
@@ -36,6 +37,7 @@ ROOMS = {
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
         "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h",
     ],
+    "ui/history": ["ui", "core/values", "core/registry", "core/export"],
     "ui": [
         "core/values", "core/config", "core/registry", "core/alarms", "core/engine/lineworker.h", "core/net/clientinfo.h",
         "resources",

@@ -42,6 +42,16 @@
     </message>
 </context>
 <context>
+    <name>gorizont::DayCalendar</name>
+    <message numerus="yes">
+        <source>and %n more sensor(s)</source>
+        <translation>
+            <numerusform>and %n more sensor</numerusform>
+            <numerusform>and %n more sensors</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gorizont::tool::Text</name>
     <message numerus="yes">
         <source>address %1, %n sensor(s) found</source>
@@ -62,6 +72,20 @@
         <translation>
             <numerusform>%n address asked</numerusform>
             <numerusform>%n addresses asked</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n record(s)</source>
+        <translation>
+            <numerusform>%n record</numerusform>
+            <numerusform>%n records</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurement(s) missing</source>
+        <translation>
+            <numerusform>%n measurement missing</numerusform>
+            <numerusform>%n measurements missing</numerusform>
         </translation>
     </message>
 </context>

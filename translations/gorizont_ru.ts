@@ -138,6 +138,167 @@
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>Time</source>
+        <translation>Время</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>средн.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>Tilt X</source>
+        <translation>Наклон X</translation>
+    </message>
+    <message>
+        <source>Tilt Y</source>
+        <translation>Наклон Y</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Температура</translation>
+    </message>
+    <message>
+        <source>Heater power</source>
+        <translation>Мощность подогревателя</translation>
+    </message>
+    <message>
+        <source>Fan frequency</source>
+        <translation>Частота вентилятора</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration</source>
+        <translation>Максимальное ускорение</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration, X</source>
+        <translation>Максимальное ускорение, X</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration, Y</source>
+        <translation>Максимальное ускорение, Y</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>СКЗ ускорения</translation>
+    </message>
+    <message>
+        <source>RMS acceleration, X</source>
+        <translation>СКЗ ускорения, X</translation>
+    </message>
+    <message>
+        <source>RMS acceleration, Y</source>
+        <translation>СКЗ ускорения, Y</translation>
+    </message>
+    <message>
+        <source>Direction of the maximum</source>
+        <translation>Направление максимума</translation>
+    </message>
+    <message>
+        <source>Acceleration X</source>
+        <translation>Ускорение X</translation>
+    </message>
+    <message>
+        <source>Acceleration Y</source>
+        <translation>Ускорение Y</translation>
+    </message>
+    <message>
+        <source>arc-seconds</source>
+        <translation>угл. сек.</translation>
+    </message>
+    <message>
+        <source>°C</source>
+        <translation>°C</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>об/с</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>град.</translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>мм/с²</translation>
+    </message>
+    <message>
+        <source>None of the chosen sensors measures a chosen quantity: choose others.</source>
+        <translation>Ни один из выбранных датчиков не измеряет ни одной из выбранных величин: выберите другие.</translation>
+    </message>
+    <message>
+        <source>None of the chosen sensors is an accelerometer: miniSEED holds only their samples.</source>
+        <translation>Среди выбранных датчиков нет акселерометров: формат miniSEED хранит только их отсчёты.</translation>
+    </message>
+    <message>
+        <source>The range ends before it begins: set another beginning or end.</source>
+        <translation>Конец промежутка раньше его начала: задайте другое начало или другой конец.</translation>
+    </message>
+    <message>
+        <source>There is nothing in this range, and no file was written: choose another range or other sensors.</source>
+        <translation>За это время данных нет, файл не записан: выберите другой промежуток или другие датчики.</translation>
+    </message>
+    <message>
+        <source>The miniSEED codes are wrong: the network has 1 or 2, the station 1 to 5 and a channel 3 capital Latin letters or digits, and the two channels differ.</source>
+        <translation>Неверные коды miniSEED: код сети — 1–2, станции — от 1 до 5, канала — 3 заглавные латинские буквы или цифры, и коды каналов различны.</translation>
+    </message>
+    <message>
+        <source>miniSEED has no location code for the sensor %1: give it a number from 1 to 1035.</source>
+        <translation>В miniSEED нет кода положения для датчика %1: присвойте ему номер от 1 до 1035.</translation>
+    </message>
+    <message>
+        <source>The archive was closed or could not be read before the export was complete: try again.</source>
+        <translation>Архив закрыт или не прочитан, экспорт не закончен: повторите попытку.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written (%2): make room on the disk, or choose another folder.</source>
+        <translation>Не удаётся записать %1 (%2): освободите место на диске или выберите другую папку.</translation>
+    </message>
+    <message>
+        <source>The samples are in raw units of the device, along its own axes: neither turned nor inverted.
+Acceleration, mm/s² = sample × scale.</source>
+        <translation>Отсчёты — в единицах прибора, по его собственным осям: без поворота и без инверсии.
+Ускорение, мм/с² = отсчёт × масштаб.</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Канал</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Ось</translation>
+    </message>
+    <message>
+        <source>Samples a second</source>
+        <translation>Отсчётов в секунду</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Масштаб</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>С момента</translation>
+    </message>
+</context>
+<context>
     <name>Ind3Driver</name>
     <message>
         <source>The protocol &quot;%1&quot; is not known; 2.11 is used</source>
@@ -2378,6 +2539,21 @@
     </message>
 </context>
 <context>
+    <name>UsmIsnDriver</name>
+    <message>
+        <source>A device of type %1 answers, not an УСМ-ИСН (28); it is not polled. Check the address.</source>
+        <translation>Отвечает устройство типа %1, а не УСМ-ИСН (28); оно не опрашивается. Проверьте адрес.</translation>
+    </message>
+    <message>
+        <source>The device has no channel for one of its axes (ErrorCH). Check the address.</source>
+        <translation>У устройства нет канала одной из осей (ErrorCH). Проверьте адрес.</translation>
+    </message>
+    <message>
+        <source>The device does not understand the request (ErrorData).</source>
+        <translation>Устройство не понимает запрос (ErrorData).</translation>
+    </message>
+</context>
+<context>
     <name>WindowPages</name>
     <message>
         <source>Trends</source>
@@ -2941,6 +3117,42 @@
     </message>
 </context>
 <context>
+    <name>gorizont::DayCalendar</name>
+    <message>
+        <source>Days by completeness</source>
+        <translation>Дни по полноте данных</translation>
+    </message>
+    <message>
+        <source>nothing is known of this day</source>
+        <translation>об этом дне данных нет</translation>
+    </message>
+    <message>
+        <source>nothing is missing</source>
+        <translation>пропусков нет</translation>
+    </message>
+    <message>
+        <source>%1 % are there</source>
+        <translation>есть %1 % данных</translation>
+    </message>
+    <message>
+        <source>%1: %2 missing</source>
+        <translation>%1: нет %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more sensor(s)</source>
+        <translation>
+            <numerusform>и ещё %n датчик</numerusform>
+            <numerusform>и ещё %n датчика</numerusform>
+            <numerusform>и ещё %n датчиков</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>en_GB</source>
+        <extracomment>the locale of this language, as in ru_RU</extracomment>
+        <translation>ru_RU</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::DeskSentences</name>
     <message>
         <source>%1: serving on port %2.</source>
@@ -3087,6 +3299,144 @@
     </message>
 </context>
 <context>
+    <name>gorizont::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Экспорт</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Экспорт</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тмена</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Name a file to write to.</source>
+        <translation>Укажите файл для записи.</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>Файл %1 существует. Заменить?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Заменить</translation>
+    </message>
+    <message>
+        <source>Reading the archive…</source>
+        <translation>Чтение архива…</translation>
+    </message>
+    <message>
+        <source>Rows so far: %1</source>
+        <translation>Строк: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Отменено, ничего не записано.</translation>
+    </message>
+    <message>
+        <source>Done, rows: %1. Written: %2</source>
+        <translation>Готово, строк: %1. Записано: %2</translation>
+    </message>
+    <message>
+        <source>Excel shows the first 1,048,575 rows only: export a shorter range, or minutes.</source>
+        <translation>Excel покажет только первые 1 048 575 строк: выгрузите более короткий промежуток или минутные значения.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ExportForm</name>
+    <message>
+        <source>All sensors</source>
+        <translation>Все датчики</translation>
+    </message>
+    <message>
+        <source>All quantities</source>
+        <translation>Все величины</translation>
+    </message>
+    <message>
+        <source>Codes in miniSEED</source>
+        <translation>Коды miniSEED</translation>
+    </message>
+    <message>
+        <source>CSV for Excel (semicolons, local time)</source>
+        <translation>CSV для Excel (точка с запятой, местное время)</translation>
+    </message>
+    <message>
+        <source>CSV for programs (ISO 8601, UTC)</source>
+        <translation>CSV для программ (ISO 8601, UTC)</translation>
+    </message>
+    <message>
+        <source>miniSEED (samples of accelerometers)</source>
+        <translation>miniSEED (отсчёты акселерометров)</translation>
+    </message>
+    <message>
+        <source>each reading</source>
+        <translation>каждое измерение</translation>
+    </message>
+    <message>
+        <source>each minute: minimum, mean, maximum</source>
+        <translation>каждая минута: минимум, среднее, максимум</translation>
+    </message>
+    <message>
+        <source>each hour: minimum, mean, maximum</source>
+        <translation>каждый час: минимум, среднее, максимум</translation>
+    </message>
+    <message>
+        <source>each day: minimum, mean, maximum</source>
+        <translation>каждые сутки: минимум, среднее, максимум</translation>
+    </message>
+    <message>
+        <source>Network:</source>
+        <translation>Сеть:</translation>
+    </message>
+    <message>
+        <source>Station:</source>
+        <translation>Станция:</translation>
+    </message>
+    <message>
+        <source>Channel X:</source>
+        <translation>Канал X:</translation>
+    </message>
+    <message>
+        <source>Channel Y:</source>
+        <translation>Канал Y:</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Об&amp;зор…</translation>
+    </message>
+    <message>
+        <source>&amp;From:</source>
+        <translation>&amp;С:</translation>
+    </message>
+    <message>
+        <source>&amp;To (not included):</source>
+        <translation>&amp;До (не включая):</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat:</source>
+        <translation>&amp;Формат:</translation>
+    </message>
+    <message>
+        <source>&amp;Rows:</source>
+        <translation>С&amp;троки:</translation>
+    </message>
+    <message>
+        <source>Fi&amp;le:</source>
+        <translation>Фай&amp;л:</translation>
+    </message>
+    <message>
+        <source>File of the export</source>
+        <translation>Файл экспорта</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::FirstRunDialog</name>
     <message>
         <source>Gorizont Server: first start</source>
@@ -3134,6 +3484,77 @@
     </message>
 </context>
 <context>
+    <name>gorizont::GapModel</name>
+    <message>
+        <source>goes on</source>
+        <translation>продолжается</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>С</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>По</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Длительность</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Причина</translation>
+    </message>
+    <message>
+        <source>Filled from</source>
+        <translation>Восполнено из</translation>
+    </message>
+    <message>
+        <source>the sensor was off</source>
+        <translation>датчик был отключён</translation>
+    </message>
+    <message>
+        <source>the port was off</source>
+        <translation>порт был отключён</translation>
+    </message>
+    <message>
+        <source>the port was not available</source>
+        <translation>порт был недоступен</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>нет ответа</translation>
+    </message>
+    <message>
+        <source>wrong check sums</source>
+        <translation>ошибки контрольных сумм</translation>
+    </message>
+    <message>
+        <source>the sensor reported a fault</source>
+        <translation>датчик сообщил о неисправности</translation>
+    </message>
+    <message>
+        <source>service mode</source>
+        <translation>сервисный режим</translation>
+    </message>
+    <message>
+        <source>the program was not running</source>
+        <translation>программа не работала</translation>
+    </message>
+    <message>
+        <source>the clock was set</source>
+        <translation>переведены часы</translation>
+    </message>
+    <message>
+        <source>the disk could not be written</source>
+        <translation>диск был недоступен для записи</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::HistoryFiles</name>
     <message>
         <source>The history is being saved again.</source>
@@ -3146,6 +3567,81 @@
     <message>
         <source>%1 did not end with a whole record; what was unfinished has been removed.</source>
         <translation>%1 заканчивался неполной записью; неполная часть удалена.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::HistoryPage</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Пропуски</translation>
+    </message>
+    <message>
+        <source>Looking for gaps…</source>
+        <translation>Поиск пропусков…</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>События</translation>
+    </message>
+    <message>
+        <source>Looking for events…</source>
+        <translation>Поиск событий…</translation>
+    </message>
+    <message>
+        <source>The archive does not answer; F5 asks again.</source>
+        <translation>Архив не отвечает; F5 — повторить запрос.</translation>
+    </message>
+    <message>
+        <source>Gaps (%1)</source>
+        <translation>Пропуски (%1)</translation>
+    </message>
+    <message>
+        <source>Choose a sensor on the left.</source>
+        <translation>Выберите датчик слева.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing in these days.</source>
+        <translation>За эти дни пропусков нет.</translation>
+    </message>
+    <message>
+        <source>Events (the last %1)</source>
+        <translation>События (последние %1)</translation>
+    </message>
+    <message>
+        <source>Events (%1)</source>
+        <translation>События (%1)</translation>
+    </message>
+    <message>
+        <source>No events in these days.</source>
+        <translation>За эти дни событий нет.</translation>
+    </message>
+    <message>
+        <source>All sensors</source>
+        <translation>Все датчики</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Экспорт…</translation>
+    </message>
+    <message>
+        <source>There is no archive. Switch it on in the section [Archive] of GorizontServer.ini and start the program again.</source>
+        <translation>Архива нет. Включите его в секции [Archive] файла GorizontServer.ini и запустите программу снова.</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>&amp;Обновить</translation>
+    </message>
+    <message>
+        <source>Earlier months</source>
+        <translation>Предыдущие месяцы</translation>
+    </message>
+    <message>
+        <source>Later months</source>
+        <translation>Следующие месяцы</translation>
     </message>
 </context>
 <context>
@@ -3380,6 +3876,10 @@
     <message>
         <source>%1 works normally again</source>
         <translation>%1 снова работает нормально</translation>
+    </message>
+    <message>
+        <source>%1 does not answer; its port is silent for %2 s, so that it restarts</source>
+        <translation>%1 не отвечает; порт молчит %2 с, чтобы устройство перезапустилось</translation>
     </message>
 </context>
 <context>
@@ -4916,30 +5416,6 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>порт потерян</translation>
     </message>
     <message>
-        <source>JSON, one object a line; what is not known is null:
-  every one      type (ind3, and3), address
-  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (arc-seconds),
-                 ticks, period (ms), selfTest; and3: firmware, build, configuration (hexadecimal)
-                 and the keys of read
-  read           time (UTC), tiltX, tiltY (arc-seconds); and3: temperature (°C), fanFrequency (1/s),
-                 heaterPower (%), rawStatus, rawMode, samples
-  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress
-  a failure      fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
-        <translation>JSON, один объект в строке; неизвестное — null:
-  каждый         type (ind3, and3), address
-  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (угловые секунды),
-                 ticks, period (мс), selfTest; and3: firmware, build, configuration (шестнадцатеричная)
-                 и ключи read
-  read           time (UTC), tiltX, tiltY (угловые секунды); and3: temperature (°C), fanFrequency (1/с),
-                 heaterPower (%), rawStatus, rawMode, samples
-  set-…, reset   setting (name, offset, ticks, period, address, reset), done; у адреса: newAddress
-  неудача        fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
-    </message>
-    <message>
-        <source>Finds, reads and sets ИН-Д3 and АН-Д3 sensors on a serial line. The line must not be open in another program.</source>
-        <translation>Ищет, читает и настраивает датчики ИН-Д3 и АН-Д3 на последовательной линии. Линия не должна быть открыта в другой программе.</translation>
-    </message>
-    <message>
         <source>Commands:</source>
         <translation>Команды:</translation>
     </message>
@@ -5000,20 +5476,12 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>scan: последний адрес.</translation>
     </message>
     <message>
-        <source>read: how many times; 0: until Ctrl+C. Once if not given.</source>
-        <translation>read: сколько раз; 0 — до Ctrl+C. По умолчанию один раз.</translation>
-    </message>
-    <message>
         <source>read: from one to the next; 1000 if not given.</source>
         <translation>read: от одного чтения до следующего; по умолчанию 1000.</translation>
     </message>
     <message>
         <source>set-averaging: ticks.</source>
         <translation>set-averaging: такты.</translation>
-    </message>
-    <message>
-        <source>set-averaging: period.</source>
-        <translation>set-averaging: период.</translation>
     </message>
     <message>
         <source>Writes without asking.</source>
@@ -5034,6 +5502,314 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Prints the version.</source>
         <translation>Печатает версию.</translation>
+    </message>
+    <message>
+        <source>%1 %, %2 rows</source>
+        <translation>%1 %, строк: %2</translation>
+    </message>
+    <message>
+        <source>%1 rows: %2</source>
+        <translation>строк %1: %2</translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was written</source>
+        <translation>отменено, ничего не записано</translation>
+    </message>
+    <message>
+        <source>--%1 is missing</source>
+        <translation>не задан --%1</translation>
+    </message>
+    <message>
+        <source>a day (2018-02-07) or a moment (2018-02-07T18:33:03)</source>
+        <translation>день (2018-02-07) или момент (2018-02-07T18:33:03)</translation>
+    </message>
+    <message>
+        <source>numbers and ranges of them (1,3,5-8), or all</source>
+        <translation>номера и диапазоны номеров (1,3,5-8) или all</translation>
+    </message>
+    <message>
+        <source>the site has no sensor %1</source>
+        <translation>на объекте нет датчика %1</translation>
+    </message>
+    <message>
+        <source>Writes what the archive of a site holds into a file.</source>
+        <translation>Записывает данные из архива объекта в файл.</translation>
+    </message>
+    <message>
+        <source>Quantities:</source>
+        <translation>Величины:</translation>
+    </message>
+    <message>
+        <source>The ini of the site.</source>
+        <translation>Файл ini объекта.</translation>
+    </message>
+    <message>
+        <source>The beginning, a day or a moment; without a zone it is local time.</source>
+        <translation>Начало: день или момент; без указания пояса — местное время.</translation>
+    </message>
+    <message>
+        <source>The end, not included; a day alone: its end.</source>
+        <translation>Конец, не включается; если указан только день — конец этого дня.</translation>
+    </message>
+    <message>
+        <source>Numbers of sensors, as 1,3,5-8; all if not given.</source>
+        <translation>Номера датчиков, например 1,3,5-8; если не заданы — все.</translation>
+    </message>
+    <message>
+        <source>As tilt-x,temperature; all but samples if not given.</source>
+        <translation>Например, tilt-x,temperature; если не заданы — все, кроме отсчётов.</translation>
+    </message>
+    <message>
+        <source>csv-ru if not given.</source>
+        <translation>Если не задан — csv-ru.</translation>
+    </message>
+    <message>
+        <source>A row for each reading, minute, hour or day; raw if not given.</source>
+        <translation>Строка на каждое измерение, минуту, час или сутки; если не задано — raw.</translation>
+    </message>
+    <message>
+        <source>The file; one that exists is replaced.</source>
+        <translation>Файл; существующий заменяется.</translation>
+    </message>
+    <message>
+        <source>Network code of miniSEED; XX if not given.</source>
+        <translation>Код сети miniSEED; если не задан — XX.</translation>
+    </message>
+    <message>
+        <source>Station code of miniSEED; from the name of the site if not given.</source>
+        <translation>Код станции miniSEED; если не задан — по имени объекта.</translation>
+    </message>
+    <message>
+        <source>Channel codes of X and Y in miniSEED; BN1,BN2 if not given.</source>
+        <translation>Коды каналов X и Y в miniSEED; если не заданы — BN1,BN2.</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what is not known is null:
+  every one      type (ind3, and3, usm), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (arc-seconds),
+                 ticks, period (ms), selfTest; and3: firmware, build, configuration (hexadecimal)
+                 and the keys of read
+  read           time (UTC), tiltX, tiltY (arc-seconds); and3: temperature (°C), fanFrequency (1/s),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress
+  usm serial     serial; find: serial
+  usm info       deviceType, serial, program, calibratedOn (dates), calibrations, channels (id, type, units,
+                 description)
+  usm value,     state (measured, out of range, sensor error), time (UTC), timestamp (s), serial, channel,
+  usm records    measurement, value, variation (degrees), temperature (°C)
+  usm …          setting (address, port, recorder), done; address: newAddress; port: isProbed
+  a failure      fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, по объекту в строке; неизвестное — null:
+  каждый объект  type (ind3, and3, usm), address
+  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (угл. сек.),
+                 ticks, period (мс), selfTest; and3: firmware, build, configuration (шестнадцатеричное)
+                 и ключи read
+  read           time (UTC), tiltX, tiltY (угл. сек.); and3: temperature (°C), fanFrequency (1/с),
+                 heaterPower (%), rawStatus, rawMode, samples
+  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress
+  usm serial     serial; find: serial
+  usm info       deviceType, serial, program, calibratedOn (даты), calibrations, channels (id, type, units,
+                 description)
+  usm value,     state (measured, out of range, sensor error), time (UTC), timestamp (с), serial, channel,
+  usm records    measurement, value, variation (градусы), temperature (°C)
+  usm …          setting (address, port, recorder), done; address: newAddress; port: isProbed
+  неудача        fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>Finds, reads and sets ИН-Д3, АН-Д3 and УСМ-ИСН sensors on a serial line. The line must not be open in another program.</source>
+        <translation>Находит, читает и настраивает датчики ИН-Д3, АН-Д3 и УСМ-ИСН на последовательной линии. Линия не должна быть открыта в другой программе.</translation>
+    </message>
+    <message>
+        <source>read: how many times; 0: until Ctrl+C. Once if not given. usm records: of the last N only, 1…999; 0 or not given: of all.</source>
+        <translation>read: сколько раз; 0 — до Ctrl+C. Без ключа — один раз. usm records: только из последних N, 1…999; 0 или без ключа — из всех.</translation>
+    </message>
+    <message>
+        <source>set-averaging: period in ms. usm start-cycle: 900…43200 s.</source>
+        <translation>set-averaging: период в мс. usm start-cycle: 900…43200 с.</translation>
+    </message>
+    <message>
+        <source>usm value, usm records: 1 is X, 2 is Y.</source>
+        <translation>usm value, usm records: 1 — X, 2 — Y.</translation>
+    </message>
+    <message>
+        <source>usm value: the device keeps the measurement with the time of now.</source>
+        <translation>usm value: устройство запоминает измерение с текущим временем.</translation>
+    </message>
+    <message>
+        <source>usm records: all (if not given), or those not yet read.</source>
+        <translation>usm records: все (без ключа) или ещё не прочитанные.</translation>
+    </message>
+    <message>
+        <source>usm start-cycle: seconds to the first measurement; 10 if not given.</source>
+        <translation>usm start-cycle: секунд до первого измерения; без ключа 10.</translation>
+    </message>
+    <message>
+        <source>usm start-cycle: seconds before each measurement, 0…600; 0 if not given.</source>
+        <translation>usm start-cycle: секунд перед каждым измерением, 0…600; без ключа 0.</translation>
+    </message>
+    <message>
+        <source>The device %1 has the address %2.</source>
+        <translation>У устройства %1 адрес %2.</translation>
+    </message>
+    <message>
+        <source>the device %1 does not answer (%2)</source>
+        <translation>устройство %1 не отвечает (%2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n record(s)</source>
+        <translation>
+            <numerusform>%n запись</numerusform>
+            <numerusform>%n записи</numerusform>
+            <numerusform>%n записей</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurement(s) missing</source>
+        <translation>
+            <numerusform>не хватает %n измерения</numerusform>
+            <numerusform>не хватает %n измерений</numerusform>
+            <numerusform>не хватает %n измерений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>УСМ-ИСН: looks for devices at the addresses 1…255</source>
+        <translation>УСМ-ИСН: ищет устройства по адресам 1…255</translation>
+    </message>
+    <message>
+        <source>looks for the device with this serial number</source>
+        <translation>ищет устройство с этим серийным номером</translation>
+    </message>
+    <message>
+        <source>prints the serial number</source>
+        <translation>выводит серийный номер</translation>
+    </message>
+    <message>
+        <source>prints what the device is, its calibration and channels</source>
+        <translation>выводит сведения об устройстве, его калибровке и каналах</translation>
+    </message>
+    <message>
+        <source>measures now, about 1.5 s a channel</source>
+        <translation>измеряет сейчас, около 1,5 с на канал</translation>
+    </message>
+    <message>
+        <source>prints the records of the device; up to some minutes at 9600</source>
+        <translation>выводит записи устройства; на скорости 9600 до нескольких минут</translation>
+    </message>
+    <message>
+        <source>makes it a recorder, which sleeps and does not answer any more</source>
+        <translation>делает его регистратором: он спит и больше не отвечает</translation>
+    </message>
+    <message>
+        <source>wakes a recorder, up to two minutes</source>
+        <translation>будит регистратор, до двух минут</translation>
+    </message>
+    <message>
+        <source>gives the device another address</source>
+        <translation>назначает устройству другой адрес</translation>
+    </message>
+    <message>
+        <source>gives the device another speed, N|E|O, 1|1.5|2, and looks whether it answers there</source>
+        <translation>назначает устройству другую скорость, N|E|O, 1|1.5|2 и проверяет, отвечает ли оно</translation>
+    </message>
+    <message>
+        <source>port settings are 110…115200, N or E or O, 1 or 1.5 or 2, not &quot;%1&quot;</source>
+        <translation>настройки порта — 110…115200, N, E или O, 1, 1.5 или 2, а не «%1»</translation>
+    </message>
+    <message>
+        <source>a serial number has up to eight digits, not &quot;%1&quot;</source>
+        <translation>в серийном номере до восьми цифр, а не «%1»</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C</source>
+        <translation>температура %1 °C</translation>
+    </message>
+    <message>
+        <source>out of range</source>
+        <translation>вне диапазона</translation>
+    </message>
+    <message>
+        <source>the device cannot measure; its transducer may be broken</source>
+        <translation>устройство не может измерить; возможно, неисправен его преобразователь</translation>
+    </message>
+    <message>
+        <source>serial number %1, not an УСМ-ИСН (type %2)</source>
+        <translation>серийный номер %1, не УСМ-ИСН (тип %2)</translation>
+    </message>
+    <message>
+        <source>serial number %1, calibrated on %2</source>
+        <translation>серийный номер %1, калибровка %2</translation>
+    </message>
+    <message>
+        <source>address: %1</source>
+        <translation>адрес: %1</translation>
+    </message>
+    <message>
+        <source>type: %1</source>
+        <translation>тип: %1</translation>
+    </message>
+    <message>
+        <source>serial number: %1</source>
+        <translation>серийный номер: %1</translation>
+    </message>
+    <message>
+        <source>program of: %1</source>
+        <translation>программа от: %1</translation>
+    </message>
+    <message>
+        <source>calibrated on: %1</source>
+        <translation>калибровка: %1</translation>
+    </message>
+    <message>
+        <source>calibrations: %1</source>
+        <translation>калибровок: %1</translation>
+    </message>
+    <message>
+        <source>channel %1: %2, %3, %4</source>
+        <translation>канал %1: %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>the device refuses these port settings; nothing was changed</source>
+        <translation>устройство отвергает эти настройки порта; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>the device still answers at the old port settings</source>
+        <translation>устройство по-прежнему отвечает при старых настройках порта</translation>
+    </message>
+    <message>
+        <source>no answer, neither at the old nor at the new port settings; switch the device off and on, it listens at 9600-N-1 for its first second</source>
+        <translation>нет ответа ни при старых, ни при новых настройках порта; выключите и включите устройство, первую секунду оно слушает на 9600-N-1</translation>
+    </message>
+    <message>
+        <source>what became of the port settings is not known (%1)</source>
+        <translation>что стало с настройками порта, неизвестно (%1)</translation>
+    </message>
+    <message>
+        <source>Make the device with address %1 a recorder, every %2 s? It sleeps until stop-cycle, or until it is without power for over a minute.</source>
+        <translation>Сделать устройство с адресом %1 регистратором с периодом %2 с? Оно будет спать до stop-cycle или пока не останется без питания дольше минуты.</translation>
+    </message>
+    <message>
+        <source>The device records.</source>
+        <translation>Устройство записывает.</translation>
+    </message>
+    <message>
+        <source>waiting for the recorder to wake, %1 s…</source>
+        <translation>ожидание пробуждения регистратора, %1 с…</translation>
+    </message>
+    <message>
+        <source>The device does not record any more.</source>
+        <translation>Устройство больше не записывает.</translation>
+    </message>
+    <message>
+        <source>Give the device with address %1 other port settings?</source>
+        <translation>Назначить устройству с адресом %1 другие настройки порта?</translation>
+    </message>
+    <message>
+        <source>The device answers at its new port settings.</source>
+        <translation>Устройство отвечает при новых настройках порта.</translation>
+    </message>
+    <message>
+        <source>The device has taken its new port settings; this line cannot try them.</source>
+        <translation>Устройство приняло новые настройки порта; на этой линии их нельзя проверить.</translation>
     </message>
 </context>
 </TS>

@@ -26,6 +26,7 @@ SiteTree::SiteTree(const SensorRegistry &registry, QWidget *parent)
     m_view->setIndentation(16);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setExpandsOnDoubleClick(true);
+    m_view->setDragDropMode(QAbstractItemView::DragOnly);
     m_view->expandToDepth(m_model->rowCount(m_model->indexOf(SiteItem::server())) <= 4 ? 1 : 0);
     setFocusProxy(m_view);
     auto *layout = new QVBoxLayout(this);

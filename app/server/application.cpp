@@ -1,5 +1,6 @@
 #include "app/server/application.h"
 
+#include "app/server/archive.h"
 #include "app/server/feeds.h"
 #include "app/server/readingprinter.h"
 #include "core/adc24/adc24server.h"
@@ -67,6 +68,9 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
     m_registry.setChains(settings.config.chains);
     connect(&m_alarms, &AlarmWatch::journal, &m_journal, &Journal::append);
     makeHistory();
+    m_archive = std::make_unique<Archive>(Archive::Site{
+        m_settings.config, m_settings.dataFolder, settings.config.savesFiles && settings.ownsDataFolder, m_registry,
+        m_journal});
     m_feeds = std::make_unique<Feeds>(Feeds::Site{
         m_settings.config, m_settings.dataFolder, m_settings.ownsDataFolder, m_registry, m_journal, *m_history,
         m_serversThread});
@@ -86,6 +90,11 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
 Application::~Application()
 {
     shutdown();
+}
+
+ArchiveReader &Application::archive()
+{
+    return m_archive->reader();
 }
 
 void Application::makeHistory()
@@ -183,6 +192,7 @@ void Application::start()
 {
     m_isRunning = true;
     m_storageThread.start();
+    m_archive->start();
     m_journal.add(JournalKind::On, tr("Gorizont Server %1 started").arg(QStringLiteral(GORIZONT_VERSION)));
     tellComplaints();
     m_serversThread.start();
@@ -258,6 +268,7 @@ bool Application::shutdown()
     haveAllEnded = m_feeds->wait(servers) && haveAllEnded;
     hearLastWords();
     m_journal.add(JournalKind::Off, tr("Gorizont Server ended"));
+    m_archive->stop();
     m_storageThread.quit();
     haveAllEnded = m_storageThread.wait(deadline) && haveAllEnded;
     return m_printerThread.wait(deadline) && haveAllEnded;

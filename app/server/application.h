@@ -15,6 +15,8 @@
 namespace gorizont {
 
 class Adc24Server;
+class Archive;
+class ArchiveReader;
 class ClientDesk;
 class Feeds;
 class HistoryWriter;
@@ -45,6 +47,8 @@ public:
     SensorRegistry &registry() { return m_registry; }
     Journal &journal() { return m_journal; }
     AlarmWatch &alarms() { return m_alarms; }
+    /// What the archive answers, also while another copy of the program writes it.
+    ArchiveReader &archive();
     /// The worker of section [Port\a port]; null when the port is off.
     LineWorker *worker(int port) const { return m_acquisition.worker(port); }
     /// Opens ports that wait and asks sensors that are parked, at once.
@@ -87,6 +91,7 @@ private:
     QThread m_serversThread;
     QThread m_printerThread;
     std::unique_ptr<HistoryWriter> m_history;
+    std::unique_ptr<Archive> m_archive;
     std::unique_ptr<Feeds> m_feeds; ///< MQTT and metrics
     std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
     std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer

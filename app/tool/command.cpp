@@ -3,6 +3,7 @@
 #include "app/tool/and3commands.h"
 #include "app/tool/ind3commands.h"
 #include "app/tool/text.h"
+#include "app/tool/usmcommands.h"
 
 #include <algorithm>
 
@@ -54,7 +55,8 @@ const QList<Command> &commands()
          .runAnd3 = and3commands::reset,
          .description = Text::tr("restarts the controller of an АН-Д3, about 5 s")},
     };
-    return table;
+    static const QList<Command> all = table + usmcommands::table();
+    return all;
 }
 
 const Command *commandNamed(const QString &name)

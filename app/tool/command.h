@@ -15,7 +15,7 @@ enum ExitCode {
     ExitNoAnswer = 3, ///< from the sensor; or the port cannot be opened, or is lost
 };
 
-enum class Device : quint8 { Ind3, And3 };
+enum class Device : quint8 { Ind3, And3, Usm };
 
 /// One thing that the tool can do: a row of the table, all that the command line and the help need to know.
 struct Command
@@ -29,9 +29,13 @@ struct Command
     bool writes = false; ///< changes something in the sensor: asks before
     Run runInd3 = nullptr; ///< empty: this type does not have it
     Run runAnd3 = nullptr;
+    Run runUsm = nullptr; ///< its name begins with `usm`, then there is no other type
     QString description{};
 
-    Run runOf(Device device) const { return device == Device::Ind3 ? runInd3 : runAnd3; }
+    Run runOf(Device device) const
+    {
+        return device == Device::Ind3 ? runInd3 : device == Device::And3 ? runAnd3 : runUsm;
+    }
     qsizetype argumentCount() const { return arguments.split(u' ', Qt::SkipEmptyParts).size(); }
 };
 

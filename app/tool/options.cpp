@@ -94,12 +94,14 @@ private:
         if (words.isEmpty()) {
             return complain(Text::tr("a command is missing; --help lists them"));
         }
-        m_options.command = commandNamed(words.constFirst());
+        const qsizetype nameWords = words.constFirst() == u"usm" && words.size() > 1 ? 2 : 1;
+        const QString name = words.first(nameWords).join(u' ');
+        m_options.command = commandNamed(name);
         if (!m_options.command) {
-            return complain(Text::tr("there is no command \"%1\"; --help lists them").arg(words.constFirst()));
+            return complain(Text::tr("there is no command \"%1\"; --help lists them").arg(name));
         }
         const Command &command = *m_options.command;
-        m_arguments = words.sliced(1);
+        m_arguments = words.sliced(nameWords);
         if (m_arguments.size() != command.argumentCount()) {
             const QString needed = command.arguments.isEmpty() ? Text::tr("nothing") : command.arguments;
             complain(Text::tr("after %1 comes %2").arg(command.name, needed));
@@ -160,9 +162,12 @@ private:
         if (!command) {
             return;
         }
-        const Device fallback = command->runInd3 ? Device::Ind3 : Device::And3;
+        const Device fallback = command->runInd3 ? Device::Ind3 : command->runAnd3 ? Device::And3 : Device::Usm;
         if (command->runInd3 && command->runAnd3 && !m_parser.isSet(u"type"_s)) {
             complain(Text::tr("--type is missing"));
+        }
+        if (command->runUsm && m_parser.isSet(u"type"_s)) {
+            complain(Text::tr("%1 does not take --%2").arg(command->name, u"type"_s));
         }
         m_options.device = choice(u"type"_s, {u"ind3"_s, u"and3"_s}, {Device::Ind3, Device::And3}, fallback);
         if (!command->runOf(m_options.device)) {
@@ -172,7 +177,7 @@ private:
         m_options.dialect = choice(
             u"protocol"_s, {u"2.11"_s, u"2.10"_s, u"modbus"_s}, {Dialect::V211, Dialect::V210, Dialect::Modbus},
             Dialect::V211);
-        if (m_options.device == Device::And3 && m_parser.isSet(u"protocol"_s)) {
+        if (m_options.device != Device::Ind3 && m_parser.isSet(u"protocol"_s)) {
             complain(Text::tr("only ind3 has a --protocol"));
         }
         m_options.address = number(u"address"_s, 1, 255).value_or(0);
@@ -200,7 +205,8 @@ private:
             m_options.ticks = choice<int>(
                 ticks, {u"1"_s, u"2"_s, u"4"_s, u"8"_s, u"16"_s, u"32"_s, u"64"_s}, {1, 2, 4, 8, 16, 32, 64}, 0);
         }
-        if (const QString period = u"period"_s; m_parser.isSet(period)) {
+        if (const QString period = u"period"_s;
+            m_parser.isSet(period) && !(m_options.command && m_options.command->runUsm)) {
             m_options.period = std::chrono::milliseconds(
                 choice<int>(period, {u"10"_s, u"20"_s, u"50"_s, u"100"_s}, {10, 20, 50, 100}, 0));
         }
@@ -216,7 +222,12 @@ private:
             return;
         }
         const QString name = m_options.command->name;
-        if (name == u"set-address") {
+        if (m_options.command->runUsm) {
+            if (const QString problem = readUsmOptions(m_parser, name, m_arguments, m_options.usm);
+                !problem.isEmpty()) {
+                complain(problem);
+            }
+        } else if (name == u"set-address") {
             bool isNumber = false;
             m_options.newAddress = m_arguments.at(0).toInt(&isNumber);
             if (!isNumber || !ind3::isAddress(m_options.newAddress)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/tool/command.h"
+#include "app/tool/usmoptions.h"
 #include "core/devices/ind3/ind3dialect.h"
 #include "core/values/lineconfig.h"
 #include "core/values/reading.h"
@@ -33,6 +34,8 @@ struct Options
     Tilt offset; ///< of set-offset, arc-seconds
     std::optional<int> ticks; ///< of set-averaging
     std::optional<std::chrono::milliseconds> period;
+
+    UsmOptions usm; ///< of the commands of УСМ-ИСН
 };
 
 /// What there is to say before the program ends: help, version, or a usage error.

@@ -49,10 +49,10 @@ QString faultText(Fault fault)
 
 QJsonObject Session::object(int address) const
 {
-    const bool isInd3 = m_options.device == Device::Ind3;
-    return {
-        {QStringLiteral("type"), isInd3 ? QStringLiteral("ind3") : QStringLiteral("and3")},
-        {QStringLiteral("address"), address}};
+    const QString type = m_options.device == Device::Ind3 ? QStringLiteral("ind3")
+        : m_options.device == Device::And3                ? QStringLiteral("and3")
+                                                          : QStringLiteral("usm");
+    return {{QStringLiteral("type"), type}, {QStringLiteral("address"), address}};
 }
 
 QJsonObject Session::outcome(const QString &setting, bool isDone) const

@@ -12,7 +12,7 @@ namespace {
 
 using Qt::Literals::StringLiterals::operator""_s;
 
-constexpr int commandColumn = 20;
+constexpr int commandColumn = 27;
 
 QString commandTable()
 {
@@ -28,21 +28,27 @@ QString jsonKeys()
 {
     return Text::tr(
         "JSON, one object a line; what is not known is null:\n"
-        "  every one      type (ind3, and3), address\n"
+        "  every one      type (ind3, and3, usm), address\n"
         "  scan, info     ind3: protocol, version, revision, serial, baud, name, offsetX, offsetY (arc-seconds),\n"
         "                 ticks, period (ms), selfTest; and3: firmware, build, configuration (hexadecimal)\n"
         "                 and the keys of read\n"
         "  read           time (UTC), tiltX, tiltY (arc-seconds); and3: temperature (°C), fanFrequency (1/s),\n"
         "                 heaterPower (%), rawStatus, rawMode, samples\n"
         "  set-…, reset   setting (name, offset, ticks, period, address, reset), done; address: newAddress\n"
+        "  usm serial     serial; find: serial\n"
+        "  usm info       deviceType, serial, program, calibratedOn (dates), calibrations, channels (id, type, units,\n"
+        "                 description)\n"
+        "  usm value,     state (measured, out of range, sensor error), time (UTC), timestamp (s), serial, channel,\n"
+        "  usm records    measurement, value, variation (degrees), temperature (°C)\n"
+        "  usm …          setting (address, port, recorder), done; address: newAddress; port: isProbed\n"
         "  a failure      fault: timeout, checksum, bad reply, refused, closed, cancelled");
 }
 
 QString description()
 {
-    return Text::tr(
-               "Finds, reads and sets ИН-Д3 and АН-Д3 sensors on a serial line. The line must not be open in another "
-               "program.")
+    return Text::tr("Finds, reads and sets ИН-Д3, АН-Д3 and УСМ-ИСН sensors on a serial line. The line must not be "
+                    "open in another "
+                    "program.")
         + u"\n\n"_s + Text::tr("Commands:") + u'\n' + commandTable() + u'\n'
         + Text::tr("Exit codes: 0 done; 1 refused by the sensor or by the user; 2 the command line is wrong; 3 no "
                    "answer, or "
@@ -74,10 +80,19 @@ void describeUsage(QCommandLineParser &parser)
         Text::tr("How long one answer is waited for; 200 if not given. It is asked for up to three times."), u"MS"_s);
     add(u"from"_s, Text::tr("scan: the first address."), u"N"_s);
     add(u"to"_s, Text::tr("scan: the last address."), u"N"_s);
-    add(u"count"_s, Text::tr("read: how many times; 0: until Ctrl+C. Once if not given."), u"N"_s);
+    add(u"count"_s,
+        Text::tr(
+            "read: how many times; 0: until Ctrl+C. Once if not given. usm records: of the last N only, 1…999; 0 or "
+            "not given: of all."),
+        u"N"_s);
     add(u"interval"_s, Text::tr("read: from one to the next; 1000 if not given."), u"MS"_s);
     add(u"ticks"_s, Text::tr("set-averaging: ticks."), u"1|2|4|8|16|32|64"_s);
-    add(u"period"_s, Text::tr("set-averaging: period."), u"10|20|50|100"_s);
+    add(u"period"_s, Text::tr("set-averaging: period in ms. usm start-cycle: 900…43200 s."), u"N"_s);
+    add(u"channel"_s, Text::tr("usm value, usm records: 1 is X, 2 is Y."), u"1|2"_s);
+    add(u"store"_s, Text::tr("usm value: the device keeps the measurement with the time of now."));
+    add(u"mask"_s, Text::tr("usm records: all (if not given), or those not yet read."), u"ALL|NEW"_s);
+    add(u"start-in"_s, Text::tr("usm start-cycle: seconds to the first measurement; 10 if not given."), u"S"_s);
+    add(u"delay"_s, Text::tr("usm start-cycle: seconds before each measurement, 0…600; 0 if not given."), u"S"_s);
     add(u"yes"_s, Text::tr("Writes without asking."));
     add(u"json"_s, Text::tr("Prints JSON."));
     add(u"lang"_s, Text::tr("Language of the program."), u"ru|en"_s);

@@ -1,12 +1,11 @@
 #pragma once
 
+#include "core/config/archivesettings.h"
 #include "core/values/lineconfig.h"
 
 #include <chrono>
 
 namespace gorizont {
-
-enum class ArchiveDriver : quint8 { Sqlite, PostgreSql };
 
 /// How long each kind of data is kept; 0: for ever.
 struct ArchiveRetention
@@ -39,5 +38,10 @@ struct ArchiveConfig
 
 /// PostgreSQL: where what is measured waits for a server that is gone, beside \a file; empty: there is no such file.
 QString spoolFile(const ArchiveConfig &config);
+
+struct ServerConfig;
+
+/// What [Archive] says; a file and a password file that are relative are those of \a dataFolder.
+ArchiveConfig archiveConfig(const ServerConfig &config, const QString &dataFolder);
 
 } // namespace gorizont

@@ -78,8 +78,8 @@ bool ArchiveDatabase::open()
     if (isSqlite()) {
         m_database.setDatabaseName(m_config.file);
         m_database.setConnectOptions(
-            m_access == Access::Read ? u"QSQLITE_BUSY_TIMEOUT=2000;QSQLITE_OPEN_READONLY"_s
-                                     : u"QSQLITE_BUSY_TIMEOUT=2000"_s);
+            m_access != Access::Write ? u"QSQLITE_BUSY_TIMEOUT=2000;QSQLITE_OPEN_READONLY"_s
+                                      : u"QSQLITE_BUSY_TIMEOUT=2000"_s);
     } else {
         m_database.setHostName(m_config.host);
         m_database.setPort(m_config.port);
@@ -94,7 +94,7 @@ bool ArchiveDatabase::open()
         close();
         return false;
     }
-    if (!configure() || !migrate()) {
+    if (!configure() || (m_access != Access::Salvage && !migrate())) {
         const auto fault = m_fault;
         const QString error = m_error;
         close();
@@ -129,13 +129,13 @@ bool ArchiveDatabase::configure()
     if (!isSqlite()) {
         return configureServer();
     }
-    if (m_access == Access::Read) {
+    if (m_access != Access::Write) {
         return true;
     }
-    // FULL: a commit survives a power cut. Freed pages are given back a few at a time, when old data goes.
-    return execute(u"PRAGMA auto_vacuum=INCREMENTAL"_s) && execute(u"PRAGMA journal_mode=WAL"_s)
-        && execute(u"PRAGMA synchronous=FULL"_s) && execute(u"PRAGMA cache_size=-8192"_s)
-        && execute(u"PRAGMA journal_size_limit=16777216"_s);
+    // Large pages: chunks are a few thousand bytes, and what is left of a page behind them is lost. FULL: a commit survives a power cut. Freed pages are given back a few at a time, when old data goes.
+    return execute(u"PRAGMA page_size=16384"_s) && execute(u"PRAGMA auto_vacuum=INCREMENTAL"_s)
+        && execute(u"PRAGMA journal_mode=WAL"_s) && execute(u"PRAGMA synchronous=FULL"_s)
+        && execute(u"PRAGMA cache_size=-8192"_s) && execute(u"PRAGMA journal_size_limit=16777216"_s);
 }
 
 /// One site is one schema, and one program writes into it at a time.
@@ -199,22 +199,20 @@ bool ArchiveDatabase::migrate()
 
 bool ArchiveDatabase::begin()
 {
-    return m_database.transaction() || fail(m_database.lastError());
+    return execute(u"BEGIN"_s);
 }
 
 bool ArchiveDatabase::commit()
 {
-    return m_database.commit() || fail(m_database.lastError());
+    return execute(u"COMMIT"_s);
 }
 
 void ArchiveDatabase::rollback()
 {
-    const ArchiveFault fault = m_fault;
     for (auto &[text, statement] : m_statements) {
         statement.finish();
     }
-    m_database.rollback();
-    m_fault = fault;
+    QSqlQuery(m_database).exec(u"ROLLBACK"_s);
 }
 
 QSqlQuery *ArchiveDatabase::run(const QString &sql, const QVariantList &values)

@@ -29,7 +29,11 @@ class ArchiveDatabase
     Q_DECLARE_TR_FUNCTIONS(gorizont::ArchiveDatabase)
 
 public:
-    enum class Access : quint8 { Write, Read };
+    enum class Access : quint8 {
+        Write,
+        Read,
+        Salvage, ///< reads a file that may be damaged
+    };
 
     ArchiveDatabase(const ArchiveConfig &config, Access access);
     ~ArchiveDatabase();

@@ -80,13 +80,12 @@ bool ArchiveRecorder::load(UtcTime now)
     }
     m_applied = *applied;
     m_known = *sensors;
-    if (m_isAnew) {
-        return true;
-    }
-    replay(*rows);
-    forgetWritten(alive);
-    if (m_spool && !m_spool->isEmpty()) {
-        bridge(now); // what is known is not in the tables yet
+    if (!m_isAnew) {
+        replay(*rows);
+        forgetWritten(alive);
+        if (m_spool && !m_spool->isEmpty()) {
+            bridge(now); // what is known is not in the tables yet
+        }
     }
     return m_hasStarted || startLedger(now, alive.value_or(now));
 }
@@ -205,10 +204,18 @@ bool ArchiveRecorder::commit(UtcTime now)
     return isOpen() && (isWritten || isBehind) && drain() && writeChunks(m_isAnew);
 }
 
-bool ArchiveRecorder::finish(UtcTime now)
+bool ArchiveRecorder::finish(ArchiveInbox &inbox, UtcTime now)
 {
+    if (m_isWaiting) {
+        commit(now);
+    }
+    if (m_isWaiting) {
+        return false;
+    }
+    take(inbox.take(), now);
     m_ledger.stop(now);
-    return (isOpen() || isBridging()) && commit(now) && writeChunks(true);
+    const bool isWritten = (isOpen() || isBridging()) && commit(now);
+    return isWritten || (isBridging() && !m_isWaiting);
 }
 
 void ArchiveRecorder::close()
@@ -225,6 +232,56 @@ void ArchiveRecorder::startAnew()
     m_open.forgetRows();
     m_lastRow = 0;
     m_isAnew = true;
+}
+
+void ArchiveRecorder::startSalvage(const QString &file)
+{
+    m_salvage = std::make_unique<Salvage>(file, m_config, !m_hasStarted);
+}
+
+/// False: the store failed; the same rows are tried again.
+bool ArchiveRecorder::salvage()
+{
+    if (!m_salvage) {
+        return true;
+    }
+    ArchiveDatabase &database = m_store.database();
+    const QHash<int, KnownSensor> knownBefore = m_known;
+    auto outcome = database.begin() ? m_salvage->step(m_store, m_rollups) : Salvage::Outcome::Failed;
+    const bool isGood = outcome != Salvage::Outcome::Failed && putSalvagedSensors() && database.commit();
+    if (!isGood) {
+        fail();
+        database.rollback();
+        m_rollups.forget();
+        m_salvage->undo();
+        m_known = knownBefore;
+        return false;
+    }
+    if (outcome == Salvage::Outcome::Done) {
+        m_note(
+            JournalKind::Info,
+            tr("What could be read of the damaged archive is in the new one: %1 rows.").arg(m_salvage->rescued()));
+        m_salvage.reset();
+    }
+    return true;
+}
+
+bool ArchiveRecorder::putSalvagedSensors()
+{
+    const QHash<int, UtcTime> from = m_salvage->knownFrom();
+    for (auto sensor = from.cbegin(); sensor != from.cend(); ++sensor) {
+        const auto known = m_known.constFind(sensor.key());
+        if (known != m_known.constEnd() && known->from <= *sensor) {
+            continue;
+        }
+        KnownSensor &earlier = m_known[sensor.key()];
+        earlier.from = *sensor;
+        earlier.until = std::max(earlier.until, *sensor);
+        if (!m_store.putSensor(sensor.key(), earlier)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool ArchiveRecorder::writeWaiting(UtcTime now)

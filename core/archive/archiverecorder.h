@@ -5,6 +5,7 @@
 #include "core/archive/gapledger.h"
 #include "core/archive/openchunks.h"
 #include "core/archive/rollupbook.h"
+#include "core/archive/salvage.h"
 #include "core/archive/spoolbatch.h"
 #include "core/archive/spoolfile.h"
 #include "core/archive/tailbatch.h"
@@ -45,12 +46,16 @@ public:
     /// Writes what was taken, what the spool holds, and chunks that are ripe. False: nothing of it was written, or not
     /// all chunks; it waits.
     bool commit(UtcTime now);
-    /// The program ends: everything open becomes chunks.
-    bool finish(UtcTime now);
+    /// The program ends: takes the last and commits it. What is in no chunk stays in the tail, so that it is quick.
+    bool finish(ArchiveInbox &inbox, UtcTime now);
     void close();
 
     /// A damaged store is to be set aside: what is open goes into chunks of the next one.
     void startAnew();
+    /// What was set aside as \a file is read from now on, a few rows with each call of salvage().
+    void startSalvage(const QString &file);
+    bool salvage();
+    bool hasSalvage() const { return m_salvage != nullptr; }
 
     ArchiveStore &store() { return m_store; }
     ArchiveFault fault() const { return m_fault; }
@@ -80,6 +85,7 @@ private:
     void bridge(UtcTime now);
     void forgetWritten(const std::optional<UtcTime> &alive);
     void replay(const QList<ArchiveStore::TailRow> &rows);
+    bool putSalvagedSensors();
     bool writeWaiting(UtcTime now);
     bool writeBatches(const QList<ArchiveBatch> &batches, const SpoolMark &mark);
     bool writeBatch(const ArchiveBatch &waiting, qint64 *row);
@@ -110,6 +116,7 @@ private:
     QHash<int, SensorRules> m_rules; ///< by N
     QHash<int, KnownSensor> m_known;
     qint64 m_lastRow = 0; ///< of the tail
+    std::unique_ptr<Salvage> m_salvage; ///< while there is something to take over
     bool m_hasStarted = false;
     bool m_isWaiting = false;
     bool m_isAnew = false; ///< the store is another one: what is open is not in its tail

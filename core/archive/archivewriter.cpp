@@ -22,6 +22,8 @@ ArchiveWriter::ArchiveWriter(const ArchiveConfig &config, Clock clock, QObject *
     , m_config(config)
     , m_clock(std::move(clock))
     , m_recorder(config, [this](JournalKind kind, const QString &text) { note(kind, text); })
+    , m_retention(config.retention)
+    , m_sweepAt(steadyNow())
 {
     m_timer.setInterval(config.commitInterval);
     connect(&m_timer, &QTimer::timeout, this, &ArchiveWriter::flush);
@@ -72,6 +74,8 @@ void ArchiveWriter::flush()
     takeInbox(now);
     if (m_recorder.commit(now)) {
         succeeded();
+        salvage();
+        sweep(now);
     } else {
         failed();
     }
@@ -85,15 +89,38 @@ void ArchiveWriter::takeInbox(UtcTime now)
     }
 }
 
+/// For a part of the time between two commits.
+void ArchiveWriter::salvage()
+{
+    const SteadyTime until = steadyNow() + m_config.commitInterval / 4;
+    while (m_recorder.hasSalvage() && steadyNow() < until) {
+        if (!m_recorder.salvage()) {
+            failed();
+            return;
+        }
+    }
+}
+
+/// What could not be removed now is removed the next time.
+void ArchiveWriter::sweep(UtcTime now)
+{
+    if (steadyNow() >= m_sweepAt) {
+        const auto outcome = m_retention.sweep(m_recorder.store(), now);
+        const bool hasMore = outcome == Retention::Outcome::MoreToDo;
+        m_sweepAt = steadyNow() + (hasMore ? m_config.commitInterval : m_config.retentionInterval);
+    }
+}
+
 void ArchiveWriter::stop()
 {
     m_timer.stop();
-    if (!m_recorder.isBridging()) {
-        m_retryAt.reset();
+    const UtcTime now = m_clock();
+    if (!m_recorder.isOpen() && !m_recorder.isBridging() && !m_recorder.open(now)) {
+        failed();
     }
-    flush();
-    takeInbox(m_clock()); // what came while something else waited
-    m_recorder.finish(m_clock());
+    if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
+        failed();
+    }
     m_recorder.close();
 }
 
@@ -122,6 +149,7 @@ void ArchiveWriter::failed()
                 JournalKind::Error,
                 tr("The archive %1 is damaged. It was set aside as %2, and recording goes on in a new file.")
                     .arg(QDir::toNativeSeparators(m_config.file), QDir::toNativeSeparators(*aside)));
+            m_recorder.startSalvage(*aside);
             m_retryAt.reset();
             Q_EMIT replaced();
             return;

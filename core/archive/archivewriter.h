@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/archive/archiverecorder.h"
+#include "core/archive/retention.h"
 
 #include <QObject>
 #include <QTimer>
@@ -45,6 +46,8 @@ Q_SIGNALS:
 private:
     void takeInbox(UtcTime now);
     void noteClockStep(UtcTime now);
+    void salvage();
+    void sweep(UtcTime now);
     void failed();
     void succeeded();
     void note(JournalKind kind, const QString &text);
@@ -53,6 +56,8 @@ private:
     const Clock m_clock;
     ArchiveInbox m_inbox; ///< the only member that other threads touch
     ArchiveRecorder m_recorder;
+    Retention m_retention;
+    SteadyTime m_sweepAt; ///< the next time
     QTimer m_timer{this};
     std::optional<SteadyTime> m_retryAt; ///< while something fails
     std::optional<UtcTime> m_lastWall;

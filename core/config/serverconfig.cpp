@@ -1,5 +1,6 @@
 #include "core/config/serverconfig.h"
 
+#include "core/config/archivesettingsreader.h"
 #include "core/config/chainreader.h"
 #include "core/config/claims.h"
 #include "core/config/feedsettingsreader.h"
@@ -191,6 +192,7 @@ ConfigReading readServerConfig(const IniFile &file)
     readServers(common, config);
     settlePorts(common, config);
     readStorage(common, config);
+    config.archive = readArchiveSettings(file, findings);
     config.mqtt = readMqttSettings(file, findings);
     config.metrics = readMetricsSettings(file, findings);
     config.timing = readTiming(file, findings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/config/archivesettings.h"
 #include "core/config/feedsettings.h"
 #include "core/values/displacement.h"
 #include "core/values/lineconfig.h"
@@ -67,6 +68,7 @@ struct ServerConfig
     int adc24Sensor = 0; ///< [ADC24] Sensor: N of an accelerometer; 0: the first
     Adc24Axis adc24Axis = Adc24Axis::X; ///< [ADC24] Axis
 
+    ArchiveSettings archive;
     MqttSettings mqtt;
     MetricsSettings metrics;
     Timing timing;

@@ -26,6 +26,14 @@ struct DriverNote
     QString text;
 };
 
+/// What keeps the devices of a line from restarting: a watchdog in them waits for anything that is said on the line.
+struct KeepAlive
+{
+    QByteArray message; ///< to say when there is nothing else to say; nobody answers it
+    std::chrono::seconds after{0}; ///< silence after which it is said
+    bool operator==(const KeepAlive &) const = default;
+};
+
 /// Speaks with one sensor. Lives in the thread of its line, may block only inside Line::exchange(), reads top to
 /// bottom: ask, get, check, next.
 class Driver
@@ -51,6 +59,13 @@ public:
 
     /// The line was opened anew, or polling goes on after a pause: nothing is known about what happened meanwhile.
     virtual void restart() {}
+
+    /// Also said while polling is suspended for service. Empty: the device has no such watchdog.
+    virtual std::optional<KeepAlive> keepAlive() const { return std::nullopt; }
+
+    /// How long nothing should be said on the line, so that the watchdog of a device that hangs restarts it. Asked after
+    /// a failed turn; zero: there is no need, or it was told already.
+    virtual std::chrono::seconds takeSilence() { return std::chrono::seconds(0); }
 
     /// Events since the last call, once for each change of state.
     QList<DriverNote> takeNotes() { return std::exchange(m_notes, {}); }

@@ -4,6 +4,8 @@
 #include "core/devices/and3/and3simulator.h"
 #include "core/devices/ind3/ind3driver.h"
 #include "core/devices/ind3/ind3simulator.h"
+#include "core/devices/usmisn/usmisndriver.h"
+#include "core/devices/usmisn/usmisnsimulator.h"
 
 #include <array>
 
@@ -19,9 +21,10 @@ struct Entry
     std::unique_ptr<SimulatedDevice> (*makeSimulator)(const SensorConfig &, quint64 seed);
 };
 
-constexpr std::array<Entry, 2> catalog{{
+constexpr std::array<Entry, 3> catalog{{
     {SensorType::InD, ind3::makeDriver, ind3::makeSimulator},
     {SensorType::AnD3, and3::makeDriver, and3::makeSimulator},
+    {SensorType::UsmIsn, usmisn::makeDriver, usmisn::makeSimulator},
 }};
 
 const Entry *find(SensorType type)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/line/line.h"
+
 #include <QByteArray>
 #include <QByteArrayView>
 
@@ -29,6 +31,12 @@ public:
 
     /// Hears \a bytes from the host at time \a now and returns the answer, or nothing.
     virtual QByteArray receive(QByteArrayView bytes, Time now) = 0;
+
+    /// How long the device worked on what the last receive() gave back; it is sent so much later.
+    virtual Time workTime() const { return Time(0); }
+
+    /// How the host sends from now on. A device that does not listen like this hears noise, that is nothing.
+    virtual void hostSpeaks(const PortSettings &) {}
 
     /// The controller restarts (fault `reboot`).
     virtual void reboot(Time now) = 0;

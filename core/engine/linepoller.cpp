@@ -33,6 +33,17 @@ std::vector<std::unique_ptr<PolledSensor>> makeSensors(const PollingSettings &se
     return sensors;
 }
 
+/// One message is enough for all devices of a line.
+std::optional<KeepAlive> keepAliveOf(const std::vector<std::unique_ptr<PolledSensor>> &sensors)
+{
+    for (const auto &sensor : sensors) {
+        if (auto keepAlive = sensor->driver().keepAlive()) {
+            return keepAlive;
+        }
+    }
+    return std::nullopt;
+}
+
 SteadyTime now()
 {
     return std::chrono::steady_clock::now();
@@ -44,6 +55,7 @@ LinePoller::LinePoller(const PollingSettings &settings)
     : m_settings(settings)
     , m_sensors(makeSensors(settings))
     , m_cycle(static_cast<int>(m_sensors.size()), settings.timing)
+    , m_care(keepAliveOf(m_sensors))
 {
 }
 
@@ -52,6 +64,7 @@ void LinePoller::restart()
     m_toFetch = nullptr;
     m_lastAsked = nullptr;
     m_cycle.restart(now());
+    m_care.restart(now());
     for (const auto &sensor : m_sensors) {
         sensor->restart();
     }
@@ -81,6 +94,14 @@ TurnReport LinePoller::turn(Line &line)
         report.nextAt = now() + m_settings.timing.run;
         return report;
     }
+    if (m_care.isSilent(now())) {
+        report.nextAt = m_care.silentUntil();
+        return report;
+    }
+    if (const auto awake = keepAwake(line); !awake) {
+        report.lineFault = awake.fault();
+        return report;
+    }
     if (PolledSensor *sensor = std::exchange(m_toFetch, nullptr)) {
         fetch(*sensor, line, report);
     } else if (now() < m_cycle.nextTurnAt()) {
@@ -88,8 +109,42 @@ TurnReport LinePoller::turn(Line &line)
     } else {
         sensorTurn(line, report);
     }
-    report.nextAt = m_toFetch || m_mayHaveBacklog ? now() : m_cycle.nextTurnAt();
+    m_care.look(line.bytesSent(), now());
+    report.nextAt = m_toFetch || m_mayHaveBacklog ? now() : nextTurnAt();
     return report;
+}
+
+SteadyTime LinePoller::nextTurnAt() const
+{
+    const SteadyTime cycleAt = m_cycle.nextTurnAt();
+    const auto careAt = m_care.nextAt();
+    return careAt ? std::min(cycleAt, *careAt) : cycleAt;
+}
+
+Result<void> LinePoller::keepAwake(Line &line)
+{
+    m_care.look(line.bytesSent(), now());
+    const QByteArray message = m_care.due(now());
+    if (message.isEmpty()) {
+        return {};
+    }
+    const auto sent = line.send(message, m_settings.timing.writeCommand, m_settings.timing.addressChange);
+    m_care.look(line.bytesSent(), now());
+    return sent;
+}
+
+/// A device that hangs restarts when nobody says anything for a while; all others of the line wait for it.
+void LinePoller::silenceFor(PolledSensor &sensor, TurnReport &report)
+{
+    const std::chrono::seconds silence = sensor.driver().takeSilence();
+    if (silence > std::chrono::seconds(0) && m_care.keepSilent(silence, now())) {
+        report.events.append(
+            {JournalKind::Info,
+             PollerText::tr("%1 does not answer; its port is silent for %2 s, so that it restarts")
+                 .arg(sensorTitle(sensor.config(), m_settings.line))
+                 .arg(silence.count()),
+             sensor.config().number});
+    }
 }
 
 /// Bulk data wait for the free time after a cycle, so that the periods of the sensors stay even. Only when that was too
@@ -139,6 +194,9 @@ void LinePoller::poll(PolledSensor &sensor, Line &line, TurnReport &report)
     }
     addWords(sensor, report);
     addStatusChange(sensor, before, report);
+    if (!polled) {
+        silenceFor(sensor, report);
+    }
     report.readings.append(sensor.reading());
     m_toFetch = m_isBehind && polled && sensor.hasBacklog() ? &sensor : nullptr;
     report.isCycleOver = m_cycle.advance(now(), pauseAfter(polled));

@@ -2,6 +2,7 @@
 
 #include "core/engine/polledsensor.h"
 #include "core/engine/pollingcycle.h"
+#include "core/engine/watchdogcare.h"
 
 #include <memory>
 #include <vector>
@@ -47,6 +48,9 @@ public:
 
     TurnReport turn(Line &line);
 
+    /// Says something if the line was silent for so long that devices with a watchdog would restart; for a line in service.
+    Result<void> keepAwake(Line &line);
+
     /// Polling starts: the line was opened, or service ended.
     void restart();
     /// Parked sensors are asked at the next opportunity.
@@ -63,6 +67,8 @@ private:
     void poll(PolledSensor &sensor, Line &line, TurnReport &report);
     void fetch(PolledSensor &sensor, Line &line, TurnReport &report);
     bool hasBacklog() const;
+    void silenceFor(PolledSensor &sensor, TurnReport &report);
+    SteadyTime nextTurnAt() const;
     void changeAddress(const PolledSensor &sensor, Line &line);
     std::chrono::milliseconds pauseAfter(const Result<void> &polled) const;
     void addStatusChange(const PolledSensor &sensor, quint16 before, TurnReport &report) const;
@@ -71,6 +77,7 @@ private:
     PollingSettings m_settings;
     std::vector<std::unique_ptr<PolledSensor>> m_sensors;
     PollingCycle m_cycle;
+    WatchdogCare m_care;
     bool m_isBehind = false; ///< the free time of the last cycle was too short for all bulk data
     PolledSensor *m_toFetch = nullptr; ///< answered just now and has bulk data: one step of them comes next
     std::size_t m_nextIdle = 0; ///< index of the sensor whose backlog is looked at first

@@ -136,7 +136,9 @@ void LineWorker::onTimer()
 
 void LineWorker::watch()
 {
-    if (const auto heard = m_line->discardInput(); !heard && heard.fault() == Fault::Closed) {
+    const auto heard = m_line->discardInput();
+    const auto awake = heard ? m_poller.keepAwake(*m_line) : heard;
+    if (!awake && awake.fault() == Fault::Closed) {
         lineLost();
     } else {
         schedule(std::chrono::steady_clock::now() + watchPeriod);

@@ -62,6 +62,7 @@ void PolledSensor::take(const Measurement &measurement, SteadyTime now)
     // What is not valid keeps its last value beside the flag.
     if (isTiltValid(m_reading.status) && measurement.tilt) {
         m_reading.tilt = correctedTilt(*measurement.tilt, m_transform, config());
+        m_reading.variation = measurement.variation;
     }
     if (isTemperatureValid(m_reading.status) && measurement.temperature) {
         m_reading.temperature = *measurement.temperature - config().offsetT;

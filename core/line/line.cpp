@@ -37,7 +37,22 @@ int Line::sliceUntil(const QDeadlineTimer &deadline) const
     return static_cast<int>(std::min<qint64>(deadline.remainingTime(), m_pauseTick.count()));
 }
 
+Result<void> Line::setPort(const PortSettings &)
+{
+    return Fault::Refused;
+}
+
 Result<QByteArray> Line::exchange(const Exchange &exchange)
+{
+    QByteArray answer;
+    const auto done = exchangeMany(exchange, [&answer](QByteArrayView found) {
+        answer = found.toByteArray();
+        return false;
+    });
+    return done ? Result<QByteArray>(answer) : done.fault();
+}
+
+Result<void> Line::exchangeMany(const Exchange &exchange, const TakeAnswer &take)
 {
     if (const auto quiet = waitForQuiet(std::max(exchange.quietBefore, m_requiredQuiet)); !quiet) {
         return quiet.fault();
@@ -45,7 +60,7 @@ Result<QByteArray> Line::exchange(const Exchange &exchange)
     if (const auto sent = writeRequest(exchange.request, exchange.writeTimeout); !sent) {
         return sent.fault();
     }
-    return receive(exchange.scan, exchange.readTimeout);
+    return receive(exchange.scan, exchange.readTimeout, take);
 }
 
 Result<void> Line::send(
@@ -98,7 +113,7 @@ Result<void> Line::writeRequest(const QByteArray &bytes, std::chrono::millisecon
     return {};
 }
 
-Result<QByteArray> Line::receive(const ScanFunction &scan, std::chrono::milliseconds timeout)
+Result<void> Line::receive(const ScanFunction &scan, std::chrono::milliseconds timeout, const TakeAnswer &take)
 {
     QByteArray received;
     Fault reason = Fault::Timeout;
@@ -112,7 +127,11 @@ Result<QByteArray> Line::receive(const ScanFunction &scan, std::chrono::millisec
         for (Scan found = scan(received); found.skip > 0 || found.state != Scan::State::Incomplete;
              found = scan(received)) {
             if (found.state == Scan::State::Complete) {
-                return received.mid(found.skip, found.length);
+                if (!take(QByteArrayView(received).sliced(found.skip, found.length))) {
+                    return {};
+                }
+                reason = Fault::Timeout;
+                deadline = now() + timeout;
             }
             if (found.state == Scan::State::Damaged) {
                 reason = Fault::Checksum;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/protocol/scan.h"
+#include "core/values/lineconfig.h"
 #include "core/values/result.h"
 #include "core/values/timing.h"
 
@@ -20,6 +21,15 @@ struct Exchange
     std::chrono::milliseconds writeTimeout{100};
     std::chrono::milliseconds readTimeout{200};
     std::chrono::microseconds quietBefore{0}; ///< silence that the device needs before the request
+};
+
+/// How the bytes of a serial line are sent, as far as a device can be told.
+struct PortSettings
+{
+    int baudRate = 9600; ///< baud
+    Parity parity = Parity::None;
+    StopBits stopBits = StopBits::One;
+    bool operator==(const PortSettings &) const = default;
 };
 
 /// A half-duplex way to devices. Lives in the thread of its port and blocks there, in slices of at most the pause
@@ -52,12 +62,25 @@ public:
     /// line is gone and was closed. Cancelled: interrupt() was called.
     Result<QByteArray> exchange(const Exchange &exchange);
 
+    /// Whether one more answer is wanted.
+    using TakeAnswer = std::function<bool(QByteArrayView answer)>;
+
+    /// The same for a request with many answers: hands each to \a take until it wants no more. The time-out is that between
+    /// two of them, so noise does not prolong it.
+    Result<void> exchangeMany(const Exchange &exchange, const TakeAnswer &take);
+
     /// Sends a request that nobody answers (broadcast).
     Result<void> send(
         const QByteArray &bytes, std::chrono::milliseconds timeout, std::chrono::microseconds quietBefore);
 
     /// Throws away what has arrived and nobody asked for. Closed: the line is gone.
     Result<void> discardInput() { return waitForQuiet(std::chrono::microseconds(0)); }
+
+    /// Empty: the line does not know, or has none.
+    virtual std::optional<PortSettings> port() const { return std::nullopt; }
+    /// From now on bytes are sent and heard like this, until the next call. Refused: the line cannot. Closed: the port took
+    /// them badly and was closed.
+    virtual Result<void> setPort(const PortSettings &port);
 
     /// The next request waits until the line was silent for this long, whoever sends it.
     void requireQuiet(std::chrono::microseconds silence) { m_requiredQuiet = silence; }
@@ -93,7 +116,7 @@ private:
     Result<QByteArray> readSlice(SteadyTime deadline);
     Result<void> waitForQuiet(std::chrono::microseconds silence);
     Result<void> writeRequest(const QByteArray &bytes, std::chrono::milliseconds timeout);
-    Result<QByteArray> receive(const ScanFunction &scan, std::chrono::milliseconds timeout);
+    Result<void> receive(const ScanFunction &scan, std::chrono::milliseconds timeout, const TakeAnswer &take);
 
     std::chrono::milliseconds m_pauseTick;
     std::chrono::microseconds m_requiredQuiet{0};

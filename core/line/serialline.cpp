@@ -101,6 +101,29 @@ bool SerialLine::isOpen() const
     return m_port.isOpen();
 }
 
+std::optional<PortSettings> SerialLine::port() const
+{
+    return PortSettings{m_config.baudRate, m_config.parity, m_config.stopBits};
+}
+
+Result<void> SerialLine::setPort(const PortSettings &port)
+{
+    if (!m_port.isOpen()) {
+        return Fault::Closed;
+    }
+    LineConfig config = m_config;
+    config.baudRate = port.baudRate;
+    config.parity = port.parity;
+    config.stopBits = port.stopBits;
+    if (!configure(config)) {
+        m_port.clearError();
+        return configure(m_config) ? Fault::Refused : closeBroken();
+    }
+    m_config = config;
+    m_port.clear(QSerialPort::Input);
+    return {};
+}
+
 Result<void> SerialLine::writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout)
 {
     if (!m_port.isOpen()) {

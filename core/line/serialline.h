@@ -18,6 +18,8 @@ public:
     Result<void> open() override;
     void close() override;
     bool isOpen() const override;
+    std::optional<PortSettings> port() const override;
+    Result<void> setPort(const PortSettings &port) override;
 
 protected:
     Result<void> writeAll(QByteArrayView bytes, std::chrono::milliseconds timeout) override;

@@ -12,18 +12,21 @@ using Kind = SimulatedFault::Kind;
 constexpr auto lateness = 1500ms;
 constexpr auto pieceGap = 3ms;
 
-SimulatedBus::Time byteTime(const LineConfig &line)
+/// What a long answer is cut into: the host hears its beginning while the device still sends the rest.
+constexpr qsizetype longestPiece = 1024; ///< bytes
+
+SimulatedBus::Time byteTime(const PortSettings &port, int dataBits)
 {
-    const double stop = line.stopBits == StopBits::One ? 1 : line.stopBits == StopBits::Two ? 2 : 1.5;
-    const double bits = 1 + line.dataBits + (line.parity == Parity::None ? 0 : 1) + stop;
-    return SimulatedBus::Time(static_cast<qint64>(1e6 * bits / line.baudRate));
+    const double stop = port.stopBits == StopBits::One ? 1 : port.stopBits == StopBits::Two ? 2 : 1.5;
+    const double bits = 1 + dataBits + (port.parity == Parity::None ? 0 : 1) + stop;
+    return SimulatedBus::Time(static_cast<qint64>(1e6 * bits / port.baudRate));
 }
 
 } // namespace
 
 SimulatedBus::SimulatedBus(const LineConfig &line, const Options &options)
     : m_options(options)
-    , m_byteTime(byteTime(line))
+    , m_dataBits(line.dataBits)
     , m_isStruck(static_cast<std::size_t>(options.faults.size()), false)
     , m_random(static_cast<quint32>(options.seed) + static_cast<quint32>(line.index))
 {
@@ -31,6 +34,16 @@ SimulatedBus::SimulatedBus(const LineConfig &line, const Options &options)
         if (auto device = makeSimulatedDevice(sensor, options.seed)) {
             m_devices.push_back(std::move(device));
         }
+    }
+    setPort({line.baudRate, line.parity, line.stopBits});
+}
+
+void SimulatedBus::setPort(const PortSettings &port)
+{
+    m_port = port;
+    m_byteTime = byteTime(port, m_dataBits);
+    for (const auto &device : m_devices) {
+        device->hostSpeaks(port);
     }
 }
 
@@ -42,7 +55,7 @@ QList<SimulatedBus::Piece> SimulatedBus::receive(QByteArrayView bytes, Time now)
     for (const auto &device : m_devices) {
         const QByteArray answer = device->receive(bytes, heard);
         if (!answer.isEmpty() && !isSilent(device->number(), now)) {
-            append(pieces, answer, heard + m_options.responseDelay, now);
+            append(pieces, answer, heard + m_options.responseDelay + device->workTime(), now);
         }
     }
     return pieces;
@@ -109,14 +122,21 @@ void SimulatedBus::append(QList<Piece> &pieces, const QByteArray &answer, Time s
         start += lateness;
     }
     if (!happens(Kind::Pieces, now)) {
-        pieces.append({sent, start + wireTime(sent.size())});
-        return;
+        return appendEven(pieces, sent, start);
     }
     for (qsizetype at = 0; at < sent.size();) {
         const qsizetype size = std::min<qsizetype>(sent.size() - at, m_random.bounded(1, 6));
         start += wireTime(size) + pieceGap;
         pieces.append({sent.mid(at, size), start});
         at += size;
+    }
+}
+
+void SimulatedBus::appendEven(QList<Piece> &pieces, const QByteArray &bytes, Time start) const
+{
+    for (qsizetype at = 0; at < bytes.size(); at += longestPiece) {
+        const QByteArray piece = bytes.mid(at, longestPiece);
+        pieces.append({piece, start + wireTime(at + piece.size())});
     }
 }
 

@@ -33,6 +33,10 @@ public:
 
     SimulatedBus(const LineConfig &line, const Options &options);
 
+    const PortSettings &port() const { return m_port; }
+    /// The host goes on with another speed and frame.
+    void setPort(const PortSettings &port);
+
     /// How long \a bytes take at the speed and frame of the line.
     Time wireTime(qsizetype bytes) const { return bytes * m_byteTime; }
 
@@ -46,9 +50,12 @@ private:
     bool isSilent(int number, Time now) const;
     bool happens(SimulatedFault::Kind kind, Time now);
     void append(QList<Piece> &pieces, const QByteArray &answer, Time start, Time now);
+    void appendEven(QList<Piece> &pieces, const QByteArray &bytes, Time start) const;
 
     Options m_options;
-    Time m_byteTime;
+    PortSettings m_port;
+    int m_dataBits;
+    Time m_byteTime{0};
     std::vector<std::unique_ptr<SimulatedDevice>> m_devices;
     std::vector<bool> m_isStruck; ///< which of the faults that happen once have happened
     QRandomGenerator m_random;

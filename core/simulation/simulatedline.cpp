@@ -42,6 +42,16 @@ void SimulatedLine::close()
     m_arriving.clear();
 }
 
+Result<void> SimulatedLine::setPort(const PortSettings &port)
+{
+    if (!m_isOpen) {
+        return Fault::Closed;
+    }
+    m_arriving.clear();
+    m_bus.setPort(port);
+    return {};
+}
+
 /// Returns at once, as a port does whose driver takes the bytes into its buffer.
 Result<void> SimulatedLine::writeAll(QByteArrayView bytes, std::chrono::milliseconds)
 {

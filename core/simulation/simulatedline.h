@@ -17,6 +17,8 @@ public:
     Result<void> open() override;
     void close() override;
     bool isOpen() const override { return m_isOpen; }
+    std::optional<PortSettings> port() const override { return m_bus.port(); }
+    Result<void> setPort(const PortSettings &port) override;
 
     /// What the bytes of this line cost, for benchmarks.
     const SimulatedBus &bus() const { return m_bus; }

@@ -29,9 +29,16 @@ struct Displacement
 struct LinkDisplacement
 {
     Displacement own; ///< of the upper end of its link over the lower one
-    std::optional<Displacement>
-        sum; ///< of the upper end over the foot of the chain; empty: a sensor below is not valid
+    std::optional<Displacement> sum; ///< over the foot of the chain; empty: a sensor below is not valid
     bool operator==(const LinkDisplacement &) const = default;
+};
+
+/// How much a sensor trembled while it measured its tilt: mean absolute deviation along its own axes.
+struct TiltVariation
+{
+    double x = 0; ///< degrees
+    double y = 0; ///< degrees
+    bool operator==(const TiltVariation &) const = default;
 };
 
 /// Accelerations of the last minute (manual 000, sections 4.3, 4.5, 10.4; spec/and3.md, Statistics), mm/s².
@@ -77,6 +84,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Conditions)
 struct Measurement
 {
     std::optional<Tilt> tilt;
+    std::optional<TiltVariation> variation;
     std::optional<double> temperature; ///< °C
     std::optional<double> heaterPower; ///< %
     std::optional<double> fanFrequency; ///< 1/s
@@ -107,6 +115,7 @@ struct Reading
     std::optional<SteadyTime> answeredAt; ///< when the values below were measured; empty: never
 
     std::optional<Tilt> tilt;
+    std::optional<TiltVariation> variation; ///< of the tilt above, along the axes of the device
     std::optional<double> temperature; ///< °C
     std::optional<double> heaterPower; ///< %
     std::optional<double> fanFrequency; ///< 1/s

@@ -16,6 +16,10 @@ void insertValues(QJsonObject &object, const Reading &reading)
         object.insert(QStringLiteral("tiltX"), reading.tilt->x);
         object.insert(QStringLiteral("tiltY"), reading.tilt->y);
     }
+    if (reading.variation && isTiltValid(reading.status)) {
+        object.insert(QStringLiteral("variationX"), reading.variation->x);
+        object.insert(QStringLiteral("variationY"), reading.variation->y);
+    }
     if (reading.temperature && isTemperatureValid(reading.status)) {
         object.insert(QStringLiteral("temperature"), *reading.temperature);
     }

@@ -143,6 +143,23 @@ QList<Readings> turnsOf(int count, std::chrono::microseconds period)
     return turns;
 }
 
+/// Where the bytes are.
+void printShares(const ArchiveConfig &config, double values)
+{
+    ArchiveDatabase database(config, ArchiveDatabase::Access::Read);
+    if (!database.open()) {
+        return;
+    }
+    const auto share = [&](const char *rows) {
+        return database.single(QStringLiteral("SELECT sum(length(data)) FROM ") + QString::fromLatin1(rows)).toDouble()
+            / values;
+    };
+    std::printf(
+        "  of these readings %.2f, minutes %.2f, hours and days %.2f; in use %.2f\n", share("chunk"),
+        share("rollup WHERE kind = 3"), share("rollup WHERE kind > 3"),
+        static_cast<double>(usedBytes(database)) / values);
+}
+
 void benchWriting(const QTemporaryDir &folder, int turnsPerCommit)
 {
     const QList<Readings> turns = turnsOf(7200, 1s);
@@ -159,6 +176,7 @@ void benchWriting(const QTemporaryDir &folder, int turnsPerCommit)
             std::printf(
                 "two hours at 1 Hz        %6.2f bytes a value, as rows %.1f\n",
                 static_cast<double>(bytesOf(ours.file)) / values, static_cast<double>(bytesOf(rows.file)) / values);
+            printShares(ours, values);
         }
     }
     std::printf(
@@ -209,6 +227,7 @@ void benchReading(const QTemporaryDir &folder, int days)
     std::printf(
         "%4d days at 0.1 Hz      %6.2f bytes a value, %.0f MB\n", days,
         static_cast<double>(bytesOf(config.file)) / values, static_cast<double>(bytesOf(config.file)) / 1e6);
+    printShares(config, values);
     ask(config, "all of it", start, start + days * 24h);
     ask(config, "a month", start + (days - 31) * 24h, start + (days - 1) * 24h);
     ask(config, "a day", start + (days - 2) * 24h, start + (days - 1) * 24h);
@@ -228,6 +247,7 @@ void benchReading(const QTemporaryDir &folder, int days)
 int main(int argc, char **argv)
 {
     QCoreApplication app(argc, argv);
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const QStringList arguments = QCoreApplication::arguments();
     const qsizetype at = arguments.indexOf(QStringLiteral("--days"));
     const QTemporaryDir folder;

@@ -120,6 +120,43 @@ QVariant SiteTreeModel::data(const QModelIndex &index, int role) const
     return {};
 }
 
+Qt::ItemFlags SiteTreeModel::flags(const QModelIndex &index) const
+{
+    const bool isDraggable = index.isValid() && itemAt(index).kind != SiteItem::Kind::Server;
+    return QAbstractItemModel::flags(index) | (isDraggable ? Qt::ItemIsDragEnabled : Qt::NoItemFlags);
+}
+
+QMimeData *SiteTreeModel::mimeData(const QModelIndexList &indexes) const
+{
+    QStringList numbers;
+    for (const QModelIndex &index : indexes) {
+        const SiteItem item = itemAt(index);
+        if (item.kind == SiteItem::Kind::Sensor) {
+            numbers += QString::number(sensorOf(item.index).config.number);
+        } else if (item.kind == SiteItem::Kind::Line) {
+            for (const int sensor : lineOf(item.index).sensors) {
+                numbers += QString::number(sensorOf(sensor).config.number);
+            }
+        }
+    }
+    auto *data = new QMimeData;
+    data->setData(sensorsFormat(), numbers.join(u' ').toLatin1());
+    return data;
+}
+
+QList<int> SiteTreeModel::sensorsOf(const QMimeData &data)
+{
+    QList<int> numbers;
+    for (const QByteArray &number : data.data(sensorsFormat()).split(' ')) {
+        bool isNumber = false;
+        const int value = number.toInt(&isNumber);
+        if (isNumber) {
+            numbers.append(value);
+        }
+    }
+    return numbers;
+}
+
 Health SiteTreeModel::shownHealth(SiteItem item) const
 {
     switch (item.kind) {

@@ -4,6 +4,7 @@
 #include "ui/models/siteitem.h"
 
 #include <QAbstractItemModel>
+#include <QMimeData>
 
 #include <vector>
 
@@ -31,6 +32,13 @@ public:
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+    /// Sensors are dragged, and a port with all of its sensors: their numbers in decimal with blanks between.
+    QStringList mimeTypes() const override { return {sensorsFormat()}; }
+    QMimeData *mimeData(const QModelIndexList &indexes) const override;
+    static QString sensorsFormat() { return QStringLiteral("application/x-gorizont-sensors"); }
+    static QList<int> sensorsOf(const QMimeData &data);
 
 private:
     const SensorRegistry::Line &lineOf(int index) const { return m_registry.lines()[static_cast<std::size_t>(index)]; }

@@ -23,11 +23,8 @@ double leastSpan(ValueAxis axis, TiltUnit unit)
 TrendPlot::TrendPlot(QWidget *parent)
     : TimePlot(parent)
 {
-    plotLayout()->insertRow(0);
-    plotLayout()->addElement(0, 0, legend);
-    plotLayout()->setRowStretchFactor(0, 0.001);
+    axisRect()->insetLayout()->take(legend);
     legend->setFillOrder(QCPLegend::foColumnsFirst);
-    legend->setVisible(true);
     legend->setMargins(QMargins(6, 4, 6, 0));
     legend->setRowSpacing(0);
     plotlook::dress(*this);
@@ -86,9 +83,20 @@ void TrendPlot::buildAxes(const QList<ValueAxis> &wanted)
     }
 }
 
-/// As many columns as the widest name allows.
+/// As many columns as the widest name allows. Without names it is taken out: it would narrow the plot to nothing.
 void TrendPlot::arrangeLegend()
 {
+    const bool isPlaced = legend->layout() == plotLayout();
+    const bool isWanted = legend->itemCount() > 0;
+    if (isWanted && !isPlaced) {
+        plotLayout()->insertRow(0);
+        plotLayout()->addElement(0, 0, legend);
+        plotLayout()->setRowStretchFactor(0, 0.001);
+    } else if (!isWanted && isPlaced) {
+        plotLayout()->take(legend);
+        plotLayout()->simplify();
+    }
+    legend->setVisible(isWanted);
     int widest = 1;
     for (int i = 0; i < legend->itemCount(); ++i) {
         widest = std::max(widest, legend->item(i)->minimumOuterSizeHint().width() + legend->columnSpacing());

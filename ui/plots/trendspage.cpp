@@ -1,11 +1,14 @@
 #include "ui/plots/trendspage.h"
 
 #include "ui/models/colours.h"
+#include "ui/plots/cursorpair.h"
+#include "ui/plots/cursorpanel.h"
 #include "ui/plots/curvechooser.h"
 #include "ui/plots/plottime.h"
 #include "ui/plots/rangeactions.h"
 #include "ui/plots/trendplot.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QTimer>
 
@@ -14,7 +17,6 @@ namespace gorizont {
 namespace {
 
 constexpr std::chrono::milliseconds edgePeriod(250); ///< the edge moves at most so often
-constexpr std::chrono::hours firstSpan(1);
 
 } // namespace
 
@@ -28,11 +30,13 @@ TrendsPage::TrendsPage(SensorRegistry &registry, SeriesSource source, QWidget *p
     build();
     connectParts();
     m_feed->setSource(m_source, true);
-    follow(firstSpan);
-    applyCurves();
+    restoreLast();
 }
 
-TrendsPage::~TrendsPage() = default;
+TrendsPage::~TrendsPage()
+{
+    keepLast();
+}
 
 void TrendsPage::connectParts()
 {
@@ -43,27 +47,34 @@ void TrendsPage::connectParts()
     connect(m_feed, &SeriesFeed::liveChanged, this, &TrendsPage::drawLive);
     connect(m_feed, &SeriesFeed::waitingChanged, this, &TrendsPage::updateTexts);
     connect(&m_chooser->model(), &CurveModel::chosenChanged, this, &TrendsPage::applyCurves);
-    connect(m_ranges, &RangeActions::chosen, this, [this](std::chrono::seconds span) {
-        if (m_isFollowing) {
-            follow(span);
-        } else {
-            const TimeSpan shown = m_plot->span();
-            const UtcTime middle = shown.from + (shown.to - shown.from) / 2;
-            showSpan({middle - span / 2, middle + span / 2});
-        }
-    });
+    connect(m_ranges, &RangeActions::chosen, this, &TrendsPage::applyRange);
     connect(m_now, &QAction::triggered, this, &TrendsPage::setFollowing);
     connect(m_plot, &TimePlot::spanChanged, this, &TrendsPage::applySpan);
     connect(m_plot, &TimePlot::endWanted, this, [this] { setFollowing(true); });
-    connect(m_plot, &TimePlot::movedByHand, this, [this] {
-        // Whoever zooms at the edge stays there; whoever leaves it is left alone.
-        const TimeSpan shown = m_plot->span();
-        const bool isAtEdge =
-            m_isFollowing && m_clock() >= shown.from && shown.to >= m_clock() - (shown.to - shown.from) / 100;
-        if (m_isFollowing && !isAtEdge) {
-            setFollowing(false);
-        }
-    });
+    connect(m_plot, &TimePlot::movedByHand, this, &TrendsPage::leaveEdge);
+    connect(m_cursors, &CursorPair::moved, this, &TrendsPage::updateCursors);
+}
+
+/// Whoever zooms at the edge stays there; whoever leaves it is left alone.
+void TrendsPage::leaveEdge()
+{
+    const TimeSpan shown = m_plot->span();
+    const UtcTime now = m_clock();
+    const bool isAtEdge = now >= shown.from && shown.to >= now - (shown.to - shown.from) / 100;
+    if (m_isFollowing && !isAtEdge) {
+        setFollowing(false);
+    }
+}
+
+void TrendsPage::applyRange(std::chrono::seconds span)
+{
+    if (m_isFollowing) {
+        follow(span);
+        return;
+    }
+    const TimeSpan shown = m_plot->span();
+    const UtcTime middle = shown.from + (shown.to - shown.from) / 2;
+    showSpan({middle - span / 2, middle + span / 2});
 }
 
 void TrendsPage::setSource(SeriesSource source)
@@ -129,13 +140,13 @@ void TrendsPage::advance()
 
 void TrendsPage::applyCurves()
 {
-    QList<TrendCurve> drawn;
+    m_drawn.clear();
     for (const SeriesKey &key : curves()) {
         const auto index = static_cast<std::size_t>(m_registry.indexOf(key.number));
-        const CurveStyle style = curveStyle(static_cast<int>(drawn.size()), colours::isDark(palette()));
-        drawn.append({key, plottext::curve(m_registry.sensors()[index].config, key.quantity), style});
+        const CurveStyle style = curveStyle(static_cast<int>(m_drawn.size()), colours::isDark(palette()));
+        m_drawn.append({key, plottext::curve(m_registry.sensors()[index].config, key.quantity), style});
     }
-    m_plot->setCurves(drawn, m_unit);
+    m_plot->setCurves(m_drawn, m_unit);
     applySpan();
     drawHistory();
 }
@@ -173,19 +184,53 @@ void TrendsPage::draw()
     m_plot->fitScales();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
     updateTexts();
+    updateCursors();
 }
 
 void TrendsPage::setUnit(TiltUnit unit)
 {
     m_unit = unit;
+    m_units->setCurrentIndex(unit == TiltUnit::Degrees ? 0 : 1);
     applyCurves();
 }
 
-void TrendsPage::updateTexts()
+Series TrendsPage::whole(const SeriesKey &key) const
+{
+    Series series = m_feed->history(key);
+    const UtcTime end = series.buckets.isEmpty() ? UtcTime::min() : series.buckets.last().from + series.step;
+    for (const SeriesBucket &bucket : m_feed->live(key)) {
+        if (bucket.from > end) {
+            series.buckets.append(bucket);
+        }
+    }
+    return series;
+}
+
+void TrendsPage::showCursors(bool isShown)
+{
+    m_readout->setVisible(isShown);
+    m_cursors->setShown(isShown);
+}
+
+void TrendsPage::updateCursors()
+{
+    if (!m_cursors->isShown()) {
+        return;
+    }
+    QList<CursorModel::Row> rows;
+    for (const TrendCurve &curve : m_drawn) {
+        rows.append(cursorRow(curve, whole(curve.key), m_cursors->first(), m_cursors->second()));
+    }
+    m_readout->setRows(rows, m_unit);
+    m_readout->setMoments(m_cursors->first(), m_cursors->second());
+}
+
+void TrendsPage::updateHint()
 {
     if (curves().isEmpty()) {
-        m_hint->setText(tr("Nothing is drawn yet. Tick values in the list on the left, or drag a sensor from the tree "
-                           "into this field."));
+        m_hint->setText(
+            tr("Nothing is drawn yet. Tick values in the list on the left, or drag a sensor from the tree into "
+               "this field."));
     } else if (m_feed->isWaiting() || m_plot->hasValues()) {
         m_hint->clear();
     } else {
@@ -193,12 +238,17 @@ void TrendsPage::updateTexts()
             tr("There are no values in this span. Choose a longer span, or move to another time by dragging."));
     }
     m_hint->setVisible(!m_hint->text().isEmpty());
+}
+
+void TrendsPage::updateTexts()
+{
+    updateHint();
+    const TimeSpan shown = m_plot->span();
     if (m_feed->hasFailed()) {
         m_state->setText(tr("The archive does not answer; only what comes now is drawn. The journal says why."));
     } else if (m_feed->isWaiting()) {
         m_state->setText(tr("Reading…"));
     } else {
-        const TimeSpan shown = m_plot->span();
         m_state->setText(tr("%1 – %2").arg(plottext::moment(shown.from), plottext::moment(shown.to)));
     }
 }

@@ -3,18 +3,25 @@
 #include "core/registry/sensorregistry.h"
 #include "ui/plots/plottext.h"
 #include "ui/plots/seriesfeed.h"
+#include "ui/plots/trendlayouts.h"
 
 #include <QWidget>
 
+class QAction;
+class QComboBox;
 class QLabel;
+class QMenu;
 class QTimer;
 class QToolBar;
 
 namespace gorizont {
 
+class CursorPair;
+class CursorPanel;
 class CurveChooser;
 class RangeActions;
 class TrendPlot;
+struct TrendCurve;
 
 /// The page <Графики>: what sensors said over time, from the last minutes to the last year. History comes from a source,
 /// the live edge from the registry; nothing here waits for either. GUI thread.
@@ -23,6 +30,8 @@ class TrendsPage : public QWidget
     Q_OBJECT
 
 public:
+    enum class Export : quint8 { Png, Pdf, ExcelCsv, IsoCsv };
+
     /// \a source may be null: then only what comes from now on is drawn. The registry outlives the page.
     TrendsPage(
         SensorRegistry &registry, SeriesSource source, QWidget *parent = nullptr, SeriesFeed::Clock clock = utcNow);
@@ -40,14 +49,25 @@ public:
     void showSpan(const TimeSpan &span);
     bool isFollowing() const { return m_isFollowing; }
 
+    /// Writes what is seen; false: the file cannot be written.
+    bool exportTo(const QString &path, Export form);
+    /// Keeps curves and span under a name; what had it before goes.
+    void keepLayout(const QString &name);
+    void applyLayout(const TrendLayout &layout);
+
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
 
 private:
     void build();
     void buildToolBar(QToolBar *bar);
+    void buildMenus(QToolBar *bar);
     void connectParts();
+    void leaveEdge();
+    void applyRange(std::chrono::seconds span);
     void applyCurves();
     void applySpan();
     void advance();
@@ -57,6 +77,18 @@ private:
     void setFollowing(bool isFollowing);
     void setUnit(TiltUnit unit);
     void updateTexts();
+    void updateHint();
+    void showCursors(bool isShown);
+    void updateCursors();
+    Series whole(const SeriesKey &key) const; ///< history and edge
+
+    void askExport(Export form);
+    void tell(const QString &text);
+    TrendLayout layoutNow(const QString &name) const;
+    void askLayoutName();
+    void fillLayouts(QMenu *menu);
+    void restoreLast();
+    void keepLast() const;
 
     SensorRegistry &m_registry;
     const SeriesFeed::Clock m_clock;
@@ -64,8 +96,12 @@ private:
     SeriesFeed *m_feed;
     CurveChooser *m_chooser = nullptr;
     TrendPlot *m_plot = nullptr;
+    QList<TrendCurve> m_drawn;
+    CursorPair *m_cursors = nullptr;
+    CursorPanel *m_readout = nullptr;
     RangeActions *m_ranges = nullptr;
     QAction *m_now = nullptr;
+    QComboBox *m_units = nullptr;
     QLabel *m_hint = nullptr; ///< over an empty plot
     QLabel *m_state = nullptr; ///< below it
     QTimer *m_tick = nullptr;

@@ -1,5 +1,7 @@
 // What the page of trends is made of; how it behaves stands in trendspage.cpp.
 
+#include "ui/plots/cursorpair.h"
+#include "ui/plots/cursorpanel.h"
 #include "ui/plots/curvechooser.h"
 #include "ui/plots/rangeactions.h"
 #include "ui/plots/trendplot.h"
@@ -7,9 +9,11 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QSplitter>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace gorizont {
@@ -26,6 +30,10 @@ void TrendsPage::build()
     m_hint->setAlignment(Qt::AlignCenter);
     m_hint->setWordWrap(true);
     m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_cursors = new CursorPair(m_plot);
+    m_readout = new CursorPanel(this);
+    m_readout->hide();
+    setAcceptDrops(true);
     auto *over = new QVBoxLayout(m_plot);
     over->addWidget(m_hint, 1);
     m_state = new QLabel(this);
@@ -35,10 +43,17 @@ void TrendsPage::build()
     bar->setObjectName(QStringLiteral("trendBar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     buildToolBar(bar);
+    auto *rows = new QSplitter(Qt::Vertical, this);
+    rows->addWidget(m_plot);
+    rows->addWidget(m_readout);
+    rows->setStretchFactor(0, 1);
+    rows->setStretchFactor(1, 0);
+    rows->setSizes({500, 150});
+    rows->setCollapsible(0, false);
     auto *columns = new QSplitter(Qt::Horizontal, this);
     columns->setObjectName(QStringLiteral("trendColumns"));
     columns->addWidget(m_chooser);
-    columns->addWidget(m_plot);
+    columns->addWidget(rows);
     columns->setStretchFactor(0, 0);
     columns->setStretchFactor(1, 1);
     columns->setSizes({230, 800});
@@ -60,14 +75,44 @@ void TrendsPage::buildToolBar(QToolBar *bar)
     m_now->setCheckable(true);
     m_now->setToolTip(tr("The right end is the present moment and moves on with it (End)"));
     bar->addSeparator();
-    auto *units = new QComboBox(bar);
-    units->setObjectName(QStringLiteral("tiltUnit"));
-    units->setToolTip(tr("In what angles are drawn"));
-    units->addItems({tr("degrees"), tr("arc-seconds")});
-    bar->addWidget(units);
-    connect(units, &QComboBox::activated, this, [this](int index) {
+    QAction *cursors = bar->addAction(tr("Cursors"));
+    cursors->setObjectName(QStringLiteral("cursorsAction"));
+    cursors->setCheckable(true);
+    cursors->setToolTip(
+        tr("Two lines to read values, differences and slopes; drag them, or move A with Ctrl and B with Shift "
+           "and the arrow keys"));
+    connect(cursors, &QAction::toggled, this, &TrendsPage::showCursors);
+    m_units = new QComboBox(bar);
+    m_units->setObjectName(QStringLiteral("tiltUnit"));
+    m_units->setToolTip(tr("In what angles are drawn"));
+    m_units->addItems({tr("degrees"), tr("arc-seconds")});
+    bar->addWidget(m_units);
+    connect(m_units, &QComboBox::activated, this, [this](int index) {
         setUnit(index == 0 ? TiltUnit::Degrees : TiltUnit::ArcSeconds);
     });
+    buildMenus(bar);
+}
+
+void TrendsPage::buildMenus(QToolBar *bar)
+{
+    const auto addMenu = [this, bar](const QString &title, const char *objectName) {
+        auto *button = new QToolButton(bar);
+        button->setText(title);
+        button->setPopupMode(QToolButton::InstantPopup);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        auto *menu = new QMenu(button);
+        menu->setObjectName(QLatin1String(objectName));
+        button->setMenu(menu);
+        bar->addWidget(button);
+        return menu;
+    };
+    QMenu *layouts = addMenu(tr("Layouts"), "layoutsMenu");
+    connect(layouts, &QMenu::aboutToShow, this, [this, layouts] { fillLayouts(layouts); });
+    QMenu *files = addMenu(tr("Save"), "exportMenu");
+    files->addAction(tr("&Picture (PNG)…"), this, [this] { askExport(Export::Png); });
+    files->addAction(tr("&Document (PDF)…"), this, [this] { askExport(Export::Pdf); });
+    files->addAction(tr("Table for &Excel (CSV)…"), this, [this] { askExport(Export::ExcelCsv); });
+    files->addAction(tr("Table for p&rograms (CSV, ISO 8601)…"), this, [this] { askExport(Export::IsoCsv); });
 }
 
 } // namespace gorizont

@@ -49,6 +49,26 @@ private Q_SLOTS:
         QCOMPARE(line.bytesReceived(), 5u);
     }
 
+    void manyAnswers()
+    {
+        const QByteArray last = hex("5B 02 02 04 5D");
+        FakeLine line;
+        line.expectPieces(
+            request, {{good, 900ms}, {hex("11") + good, 900ms}, {last.left(2), 900ms}, {last.mid(2), 1ms}});
+        QByteArrayList answers;
+        const auto take = [&](QByteArrayView answer) {
+            answers.append(answer.toByteArray());
+            return answer != last;
+        };
+        QVERIFY(line.exchangeMany(toyExchange(), take)); // the time-out is that between two of them
+        QCOMPARE(answers, (QByteArrayList{good, good, last}));
+
+        answers.clear();
+        line.expectPieces(request, {{good, 900ms}, {hex("11 22"), 600ms}, {last, 600ms}});
+        QCOMPARE(line.exchangeMany(toyExchange(), take).fault(), Fault::Timeout); // and noise does not prolong it
+        QCOMPARE(answers, QByteArrayList{good});
+    }
+
     void waitsForAllPieces()
     {
         FakeLine line;

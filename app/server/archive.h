@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/archive/archivereader.h"
+#include "core/archive/archivewriter.h"
+#include "core/config/serverconfig.h"
+#include "core/registry/journal.h"
+#include "core/registry/sensorregistry.h"
+
+#include <QDeadlineTimer>
+
+namespace gorizont {
+
+/// The archive of the site: the writer in a thread of its own, for a slow store must not keep the text files waiting,
+/// and the reader for the pages. Main thread.
+class Archive : public QObject
+{
+    Q_OBJECT
+
+public:
+    struct Site
+    {
+        const ServerConfig &config;
+        QString dataFolder;
+        bool isWritten = true; ///< false: another copy of the program writes it
+        SensorRegistry &registry;
+        Journal &journal;
+    };
+
+    explicit Archive(const Site &site);
+    /// Waits for the writer.
+    ~Archive() override;
+
+    ArchiveReader &reader() { return m_reader; }
+
+    void start();
+    void stop() { m_thread.quit(); }
+    /// After stop(). False: the writer did not end in time.
+    bool wait(const QDeadlineTimer &deadline) { return m_thread.wait(deadline); }
+
+private:
+    void makeWriter(const ArchiveConfig &config, const Site &site);
+
+    QThread m_thread;
+    std::unique_ptr<ArchiveWriter> m_writer; ///< empty: this copy does not write
+    ArchiveReader m_reader;
+};
+
+} // namespace gorizont

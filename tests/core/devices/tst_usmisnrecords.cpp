@@ -1,0 +1,140 @@
+#include "core/devices/usmisn/usmisnrecords.h"
+
+#include <QTest>
+
+using namespace gorizont;
+using namespace gorizont::usmisn;
+
+class TstUsmisnRecords : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void eachOnce();
+    void onlyStoredOnes();
+    void inOrder();
+    void missing_data();
+    void missing();
+    void table();
+    void notOfTheTable_data();
+    void notOfTheTable();
+};
+
+namespace {
+
+Value record(quint32 measurement, int channel = 1, quint32 serial = 1234567)
+{
+    Value value;
+    value.timestamp = 1483267255;
+    value.channel = ChannelId::of(serial, channel);
+    value.measurement = measurement;
+    value.value = -2.48289;
+    value.variation = 0.0086;
+    value.temperature = 26.33;
+    return value;
+}
+
+} // namespace
+
+void TstUsmisnRecords::eachOnce()
+{
+    RecordBook book;
+    QVERIFY(book.add(record(1)));
+    QVERIFY(!book.add(record(1)));
+    QVERIFY(book.add(record(1, 2))); // the other channel
+    QVERIFY(book.add(record(1, 1, 7))); // another device
+    QCOMPARE(book.size(), 3);
+}
+
+void TstUsmisnRecords::onlyStoredOnes()
+{
+    RecordBook book;
+    Value value = record(5);
+    value.timestamp = 0;
+    QVERIFY(!book.add(value));
+    value = record(5);
+    value.state = ValueState::ErrorSensor;
+    QVERIFY(!book.add(value));
+    value.state = ValueState::OutOfRange;
+    QVERIFY(book.add(value));
+}
+
+void TstUsmisnRecords::inOrder()
+{
+    RecordBook book;
+    for (const quint32 measurement : {9U, 3U, 4294967295U, 4U}) {
+        book.add(record(measurement));
+    }
+    QList<quint32> measurements;
+    for (const Value &value : book.records()) {
+        measurements.append(value.measurement);
+    }
+    QCOMPARE(measurements, (QList<quint32>{3, 4, 9, 4294967295U}));
+}
+
+void TstUsmisnRecords::missing_data()
+{
+    QTest::addColumn<QList<quint32>>("ofX");
+    QTest::addColumn<QList<quint32>>("ofY");
+    QTest::addColumn<qint64>("expected");
+    QTest::newRow("none") << QList<quint32>{} << QList<quint32>{} << qint64(0);
+    QTest::newRow("one") << QList<quint32>{100} << QList<quint32>{} << qint64(0);
+    QTest::newRow("a row") << QList<quint32>{45610, 45611, 45612} << QList<quint32>{} << qint64(0);
+    QTest::newRow("two lost") << QList<quint32>{10, 11, 14} << QList<quint32>{} << qint64(2);
+    QTest::newRow("axes by turns") << QList<quint32>{1, 3, 5} << QList<quint32>{2, 4, 6} << qint64(0);
+    QTest::newRow("axes together") << QList<quint32>{1, 2, 3} << QList<quint32>{1, 2, 3} << qint64(0);
+    QTest::newRow("one of the other axis") << QList<quint32>{1, 3, 5} << QList<quint32>{2} << qint64(1);
+}
+
+void TstUsmisnRecords::missing()
+{
+    QFETCH(QList<quint32>, ofX);
+    QFETCH(QList<quint32>, ofY);
+    QFETCH(qint64, expected);
+    RecordBook book;
+    for (const quint32 measurement : ofX) {
+        book.add(record(measurement, 1));
+    }
+    for (const quint32 measurement : ofY) {
+        book.add(record(measurement, 2));
+    }
+    QCOMPARE(book.missing(), expected);
+    book.add(record(1'000'000, 1, 9)); // another device has a counter of its own
+    QCOMPARE(book.missing(), expected);
+}
+
+void TstUsmisnRecords::table()
+{
+    QCOMPARE(csv::header(), QByteArray("time,timestamp,serial,channel,measurement,value,variation,temperature\r\n"));
+    const QByteArray line = "2017-01-01T10:40:55Z,1483267255,01234567,1,45612,-2.48289,0.00860,26.33\r\n";
+    QCOMPARE(csv::line(record(45612)), line);
+    const auto parsed = csv::parse(line);
+    QVERIFY(parsed);
+    QVERIFY(*parsed == record(45612));
+
+    Value out = record(45612, 2);
+    out.state = ValueState::OutOfRange;
+    out.value = 0;
+    const QByteArray empty = "2017-01-01T10:40:55Z,1483267255,01234567,2,45612,,0.00860,26.33\r\n";
+    QCOMPARE(csv::line(out), empty);
+    QVERIFY(*csv::parse(empty) == out);
+}
+
+void TstUsmisnRecords::notOfTheTable_data()
+{
+    QTest::addColumn<QByteArray>("line");
+    QTest::newRow("header") << csv::header();
+    QTest::newRow("nothing") << QByteArray();
+    QTest::newRow("broken off") << QByteArray("2017-01-01T10:40:55Z,1483267255,01234567,1,45612,-2.48289,0.00860");
+    QTest::newRow("text") << QByteArray("2017-01-01T10:40:55Z,1483267255,01234567,1,45612,x,0.00860,26.33");
+    QTest::newRow("no time") << QByteArray(",0,01234567,1,45612,1.0,0.00860,26.33");
+}
+
+void TstUsmisnRecords::notOfTheTable()
+{
+    QFETCH(QByteArray, line);
+    QVERIFY(!csv::parse(line));
+}
+
+QTEST_GUILESS_MAIN(TstUsmisnRecords)
+#include "tst_usmisnrecords.moc"
