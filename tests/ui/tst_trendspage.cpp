@@ -358,11 +358,11 @@ private Q_SLOTS:
         m_page->openOldFiles(history.path());
         auto *back = m_page->findChild<QAction *>(QStringLiteral("archiveAction"));
         QTRY_VERIFY(back->isVisible());
-        QTRY_COMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 3); // and a gap behind
+        QTRY_COMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 2);
         QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->data()->at(0)->value, 2.0);
         QVERIFY(!m_page->isFollowing());
         m_registry->update({test::tiltReading(2, 1, 1, SteadyTime())});
-        QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 3); // the present is not among old files
+        QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 2); // the present is not among old files
         const TimeSpan shown = plot()->span();
         QTest::keyClick(plot(), Qt::Key_PageUp);
         QTest::keyClick(plot(), Qt::Key_Home);
