@@ -127,14 +127,7 @@ bool ArchiveDatabase::prepareFolder()
 bool ArchiveDatabase::configure()
 {
     if (!isSqlite()) {
-<<<<<<< HEAD
-        const QString schema = quotedName(m_config.site);
-        return execute(u"SET client_min_messages TO warning"_s)
-            && (m_access != Access::Write || execute(u"CREATE SCHEMA IF NOT EXISTS "_s + schema))
-            && execute(u"SET search_path TO "_s + schema);
-=======
         return configureServer();
->>>>>>> w-pg-archive
     }
     if (m_access != Access::Write) {
         return true;
