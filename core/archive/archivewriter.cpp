@@ -59,24 +59,33 @@ void ArchiveWriter::start()
 
 void ArchiveWriter::flush()
 {
+    const UtcTime now = m_clock();
+    if (m_recorder.isBridging()) { // first of all: to ask a server that is gone takes a while
+        takeInbox(now);
+        m_recorder.commit(now);
+    }
     if (m_retryAt && steadyNow() < *m_retryAt) {
         return;
     }
-    const UtcTime now = m_clock();
     if (!m_recorder.isOpen() && !m_recorder.open(now)) {
         failed();
         return;
     }
-    if (m_recorder.canTake()) {
-        noteClockStep(now);
-        m_recorder.take(m_inbox.take(), now);
-    }
+    takeInbox(now);
     if (m_recorder.commit(now)) {
         succeeded();
         salvage();
         sweep(now);
     } else {
         failed();
+    }
+}
+
+void ArchiveWriter::takeInbox(UtcTime now)
+{
+    if (m_recorder.canTake()) {
+        noteClockStep(now);
+        m_recorder.take(m_inbox.take(), now);
     }
 }
 
@@ -106,11 +115,10 @@ void ArchiveWriter::stop()
 {
     m_timer.stop();
     const UtcTime now = m_clock();
-    if (m_recorder.isOpen() || m_recorder.open(now)) {
-        if (!m_recorder.finish(m_inbox, now)) {
-            failed();
-        }
-    } else {
+    if (!m_recorder.isOpen() && !m_recorder.isBridging() && !m_recorder.open(now)) {
+        failed();
+    }
+    if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
         failed();
     }
     m_recorder.close();
@@ -150,7 +158,11 @@ void ArchiveWriter::failed()
     if (!m_retryAt) {
         note(
             JournalKind::Error,
-            tr("The archive is not being written: %1 It is tried again every few seconds.").arg(m_recorder.error()));
+            m_recorder.hasSpool()
+                ? tr("The archive is not being written: %1 Until it is, what is measured waits in %2.")
+                      .arg(m_recorder.error(), QDir::toNativeSeparators(spoolFile(m_config)))
+                : tr("The archive is not being written: %1 It is tried again every few seconds.")
+                      .arg(m_recorder.error()));
     }
     m_retryAt = steadyNow() + m_config.retryInterval;
     if (m_recorder.fault() != ArchiveFault::Busy && m_recorder.fault() != ArchiveFault::Full) {
