@@ -178,11 +178,13 @@ void WaveformPage::showAnalysis(const WaveformAnalysis &x, const WaveformAnalysi
     drawSpectrum(m_lines->graph(0), x.spectrum);
     drawSpectrum(m_lines->graph(1), y.spectrum);
     QStringList found;
+    double highest = 0; // a peak may lie between two lines, above both
     for (int axis = 0; axis < 2; ++axis) {
         QStringList frequencies;
         for (const SpectrumPeak &peak : (axis == 0 ? x : y).peaks) {
             auto *label = new QCPItemText(m_lines);
             label->position->setCoords(peak.frequency, peak.amplitude);
+            highest = std::max(highest, peak.amplitude);
             label->setPositionAlignment(Qt::AlignBottom | Qt::AlignHCenter);
             label->setText(QString::number(peak.frequency, 'f', 3));
             label->setColor(m_lines->graph(axis)->pen().color());
@@ -196,7 +198,7 @@ void WaveformPage::showAnalysis(const WaveformAnalysis &x, const WaveformAnalysi
     m_lines->rescaleAxes();
     m_lines->xAxis->setRangeLower(0);
     m_lines->yAxis->setRangeLower(0);
-    m_lines->yAxis->setRangeUpper(m_lines->yAxis->range().upper * 1.15);
+    m_lines->yAxis->setRangeUpper(std::max(m_lines->yAxis->range().upper, highest) * 1.15);
     m_lines->replot(QCustomPlot::rpQueuedReplot);
     m_note = x.spectrum.segments == 0
         ? tr("Too few samples for a spectrum.")
