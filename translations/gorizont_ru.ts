@@ -3005,6 +3005,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>The driver for PostgreSQL is missing. Install libqt6sql6-psql.</source>
+        <translation>Нет драйвера PostgreSQL. Установите пакет libqt6sql6-psql.</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2. Check User, PasswordFile and Database of [Archive].</source>
+        <translation>%1 отказывает: %2. Проверьте User, PasswordFile и Database в [Archive].</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ArchiveRecorder</name>
@@ -3028,6 +3036,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>What could be read of the damaged archive is in the new one: %1 rows.</source>
         <translation>Всё, что удалось прочесть из повреждённого архива, перенесено в новый: строк — %1.</translation>
     </message>
+    <message>
+        <source>%1 is damaged: a part of what was measured while the server of the archive was gone is left out.</source>
+        <translation>Файл %1 повреждён: часть измеренного за время, пока сервер архива был недоступен, пропущена.</translation>
+    </message>
+    <message>
+        <source>What is measured while the server of the archive is gone cannot be kept: %1. Free some room there.</source>
+        <translation>Измеренное, пока сервер архива недоступен, сохранить нельзя: %1. Освободите там место.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ArchiveWriter</name>
@@ -3042,6 +3058,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The archive is being written again.</source>
         <translation>Архив снова записывается.</translation>
+    </message>
+    <message>
+        <source>The archive is not being written: %1 Until it is, what is measured waits in %2.</source>
+        <translation>Архив не записывается: %1 До тех пор измеренное ждёт в %2.</translation>
     </message>
 </context>
 <context>
@@ -5135,6 +5155,13 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::SpoolFile</name>
+    <message>
+        <source>%1 is full</source>
+        <translation>%1 заполнен</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Startup</name>
     <message>
         <source>%1 cannot be read (%2). Check the name and the rights of the file.</source>
@@ -6329,16 +6356,16 @@ backup ЦЕЛЬ    копирует его в нынешнем виде в фа�
         <translation>archive понимает check, stat или backup ЦЕЛЬ; см. gorizont-tool archive --help</translation>
     </message>
     <message>
-        <source>gorizont-tool archive --help tells of the archive of readings.</source>
-        <translation>gorizont-tool archive --help рассказывает об архиве показаний.</translation>
-    </message>
-    <message>
         <source>The folder with History; the folder of the configuration if not given.</source>
         <translation>Папка, где лежит History; без ключа — папка конфигурации.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2. Name the configuration with --config.</source>
         <translation>Не удаётся прочитать %1: %2. Укажите конфигурацию ключом --config.</translation>
+    </message>
+    <message>
+        <source>gorizont-tool archive --help and gorizont-tool export --help tell of the archive of readings.</source>
+        <translation>Об архиве показаний рассказывают gorizont-tool archive --help и gorizont-tool export --help.</translation>
     </message>
 </context>
 </TS>
