@@ -3,6 +3,7 @@
 #include "core/values/quantity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace gorizont {
@@ -29,14 +30,22 @@ struct KeptReading
     }
 };
 
+/// Displacements are computed, to far more digits than a tilt has: they are kept to a micrometre. All others as they are.
+inline std::optional<double> keptValue(const std::optional<double> &value, Quantity quantity)
+{
+    constexpr double parts = 1000; // of a millimetre
+    const bool isComputed = quantity == Quantity::DisplacementX || quantity == Quantity::DisplacementY;
+    return value && isComputed ? std::round(*value * parts) / parts : value;
+}
+
 /// \a quantities: those that the sensor measures; samples are not among the values of a reading.
 inline KeptReading keptReading(const Reading &reading, const QList<Quantity> &quantities)
 {
     KeptReading kept{reading.number, reading.time, {}};
     kept.values.reserve(quantities.size());
     for (const Quantity quantity : quantities) {
-        if (quantity < Quantity::SampleX) {
-            kept.values.append({quantity, valueOf(reading, quantity)});
+        if (quantity != Quantity::SampleX && quantity != Quantity::SampleY) {
+            kept.values.append({quantity, keptValue(valueOf(reading, quantity), quantity)});
         }
     }
     return kept;

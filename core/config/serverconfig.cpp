@@ -10,6 +10,7 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <QSet>
 
 #include <algorithm>
 
@@ -160,6 +161,22 @@ void complainOfSections(const IniFile &file, Findings &findings)
     }
 }
 
+/// What a sensor measures does not say that it has displacements.
+void markChains(ServerConfig &config)
+{
+    QSet<int> numbers;
+    for (const ChainConfig &chain : std::as_const(config.chains)) {
+        for (const ChainLink &link : chain.links) {
+            numbers.insert(link.number);
+        }
+    }
+    for (LineConfig &line : config.lines) {
+        for (SensorConfig &sensor : line.sensors) {
+            sensor.isInChain = numbers.contains(sensor.number);
+        }
+    }
+}
+
 void complainOfRepetitions(const IniFile &file, Findings &findings)
 {
     for (const IniFile::Entry &entry : file.repetitions()) {
@@ -200,6 +217,7 @@ ConfigReading readServerConfig(const IniFile &file)
     settleClaims(config.lines, file, findings);
     readAdc24(file, findings, config);
     config.chains = readChains(file, config.lines, findings);
+    markChains(config);
     complainOfRepetitions(file, findings);
     config.replaced = findings.replaced();
     return {config, findings.complaints()};

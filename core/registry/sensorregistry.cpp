@@ -102,19 +102,6 @@ std::optional<Tilt> SensorRegistry::tiltOf(int number) const
     return isTiltValid(reading.status) ? reading.tilt : std::nullopt;
 }
 
-QList<Quantity> SensorRegistry::quantitiesOf(int number) const
-{
-    const int index = indexOf(number);
-    if (index < 0) {
-        return {};
-    }
-    QList<Quantity> quantities = gorizont::quantitiesOf(m_sensors[static_cast<std::size_t>(index)].config);
-    if (m_chainOfNumber.contains(number)) {
-        quantities << Quantity::DisplacementX << Quantity::DisplacementY;
-    }
-    return quantities;
-}
-
 std::vector<ChainNode> SensorRegistry::nodesOf(const ChainConfig &chain) const
 {
     return chainNodes(chain, [this](int number) { return tiltOf(number); });

@@ -53,8 +53,6 @@ public:
     /// their tilt means there.
     void setChains(const QList<ChainConfig> &chains);
     const QList<ChainConfig> &chains() const { return m_chains; }
-    /// What sensor \a number measures, and what its chain makes of it.
-    QList<Quantity> quantitiesOf(int number) const;
     /// The nodes of \a chain by the last readings.
     std::vector<ChainNode> nodesOf(const ChainConfig &chain) const;
 

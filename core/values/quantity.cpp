@@ -76,6 +76,9 @@ QList<Quantity> quantitiesOf(const SensorConfig &sensor)
                    << Quantity::AccelRmsX << Quantity::AccelRmsY << Quantity::AccelDirection << Quantity::SampleX
                    << Quantity::SampleY;
     }
+    if (sensor.isInChain) {
+        quantities << Quantity::DisplacementX << Quantity::DisplacementY;
+    }
     return quantities;
 }
 

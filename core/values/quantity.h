@@ -33,7 +33,7 @@ const QList<Quantity> &readingQuantities();
 /// What an answer says of \a quantity; empty: absent, or not valid by the status word.
 std::optional<double> valueOf(const Reading &reading, Quantity quantity);
 
-/// The quantities that \a sensor measures by its configuration.
+/// The quantities that \a sensor has by its configuration: what it measures, and what its chain makes of that.
 QList<Quantity> quantitiesOf(const SensorConfig &sensor);
 
 } // namespace gorizont

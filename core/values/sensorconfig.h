@@ -29,6 +29,7 @@ struct SensorConfig
     bool measuresTemperature = false;
     bool measuresAcceleration = false;
     bool hasThermostat = false; ///< fan and heater count in the status word
+    bool isInChain = false; ///< a [Chain{k}] makes displacements of its tilt
 
     double offsetX = 0; ///< Xo{i}, arc-seconds
     double offsetY = 0; ///< Yo{i}, arc-seconds

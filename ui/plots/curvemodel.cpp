@@ -17,7 +17,7 @@ CurveModel::CurveModel(const SensorRegistry &registry, QObject *parent)
     : QAbstractItemModel(parent)
 {
     for (const SensorRegistry::Sensor &sensor : registry.sensors()) {
-        const QList<Quantity> quantities = registry.quantitiesOf(sensor.config.number);
+        const QList<Quantity> quantities = quantitiesOf(sensor.config);
         if (!quantities.isEmpty()) {
             m_sensors.push_back({statetext::sensorTitle(sensor.config), sensor.config.number, quantities});
         }

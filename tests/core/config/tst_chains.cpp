@@ -35,6 +35,11 @@ void TestChains::readsChainsInAscendingOrder()
         readSite("[chain12]\nN1=3\nL1=0,5\n[Chain2]\nName=Tower\nN1=2\nL1=3.25\nN2=1\nL2=4\n");
     const QList<ChainConfig> expected{{2, u"Tower"_s, {{2, 3.25}, {1, 4}}}, {12, {}, {{3, 0.5}}}};
     QVERIFY(reading.config.chains == expected);
+    QList<bool> areInChain;
+    for (const SensorConfig &sensor : reading.config.lines.first().sensors) {
+        areInChain.append(sensor.isInChain);
+    }
+    QCOMPARE(areInChain, QList<bool>({true, true, true, false}));
 }
 
 void TestChains::aChainWithAMistakeIsLeftOut_data()

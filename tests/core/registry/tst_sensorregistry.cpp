@@ -100,9 +100,6 @@ private Q_SLOTS:
         registry.update({lower, upper, apart});
         QCOMPARE(told.at(1).displacement.value().sum.value().x, 1500.0);
         QVERIFY(!told.at(2).displacement);
-        QVERIFY(registry.quantitiesOf(4).contains(Quantity::DisplacementX));
-        QCOMPARE(registry.quantitiesOf(2), QList<Quantity>({Quantity::TiltX, Quantity::TiltY}));
-        QCOMPARE(registry.quantitiesOf(99), QList<Quantity>());
         QCOMPARE(registry.sensors()[1].reading.displacement, told.at(1).displacement);
         lower.status = 0x3700;
         registry.update({lower});

@@ -92,6 +92,11 @@ void TestQuantity::ofAConfiguration()
     QVERIFY(quantitiesOf(sensor).contains(Quantity::FanFrequency));
     sensor.measuresAcceleration = true;
     QVERIFY(quantitiesOf(sensor).contains(Quantity::SampleY));
+    QVERIFY(!quantitiesOf(sensor).contains(Quantity::DisplacementX));
+    sensor.isInChain = true;
+    QVERIFY(
+        quantitiesOf(sensor).contains(Quantity::DisplacementX)
+        && quantitiesOf(sensor).contains(Quantity::DisplacementY));
 }
 
 QTEST_APPLESS_MAIN(TestQuantity)
