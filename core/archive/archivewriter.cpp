@@ -51,6 +51,11 @@ void ArchiveWriter::appendJournal(const JournalEntry &entry)
     m_inbox.put(entry);
 }
 
+void ArchiveWriter::appendRecords(const DeviceRecords &records)
+{
+    m_records.put(records);
+}
+
 void ArchiveWriter::start()
 {
     flush();
@@ -73,6 +78,7 @@ void ArchiveWriter::flush()
     }
     if (m_recorder.commit(now)) {
         succeeded();
+        (void)m_records.write(m_recorder.store()); // what waits is tried again with the next commit
         salvage();
         sweep(now);
     } else {
@@ -112,6 +118,11 @@ void ArchiveWriter::stop()
         }
     } else {
         failed();
+    }
+    if (!m_records.write(m_recorder.store()) && m_records.waiting() > 0) {
+        note(
+            JournalKind::Error,
+            tr("%1 records of devices are not in the archive. Download all of them again.").arg(m_records.waiting()));
     }
     m_recorder.close();
 }
