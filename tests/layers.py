@@ -22,7 +22,7 @@ ROOMS = {
     "core/analysis": ["core/values"],
     "core/alarms": ["core/values", "core/config", "core/registry"],
     "core/history": ["core/values", "core/files", "core/config", "core/registry"],
-    "core/archive": ["core/values", "core/config", "core/registry"],
+    "core/archive": ["core/values", "core/files", "core/config", "core/registry"],
     "core/net": ["core/values"],
     "core/modbus": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],

@@ -2758,6 +2758,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>History</source>
         <translation>История</translation>
     </message>
+    <message>
+        <source>Hodograph</source>
+        <translation>Годограф</translation>
+    </message>
+    <message>
+        <source>Oscillations</source>
+        <translation>Колебания</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::AlarmWatch</name>
@@ -2997,6 +3005,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>The driver for PostgreSQL is missing. Install libqt6sql6-psql.</source>
+        <translation>Нет драйвера PostgreSQL. Установите пакет libqt6sql6-psql.</translation>
+    </message>
+    <message>
+        <source>%1 refuses: %2. Check User, PasswordFile and Database of [Archive].</source>
+        <translation>%1 отказывает: %2. Проверьте User, PasswordFile и Database в [Archive].</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ArchiveRecorder</name>
@@ -3020,6 +3036,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>What could be read of the damaged archive is in the new one: %1 rows.</source>
         <translation>Всё, что удалось прочесть из повреждённого архива, перенесено в новый: строк — %1.</translation>
     </message>
+    <message>
+        <source>%1 is damaged: a part of what was measured while the server of the archive was gone is left out.</source>
+        <translation>Файл %1 повреждён: часть измеренного за время, пока сервер архива был недоступен, пропущена.</translation>
+    </message>
+    <message>
+        <source>What is measured while the server of the archive is gone cannot be kept: %1. Free some room there.</source>
+        <translation>Измеренное, пока сервер архива недоступен, сохранить нельзя: %1. Освободите там место.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ArchiveWriter</name>
@@ -3034,6 +3058,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The archive is being written again.</source>
         <translation>Архив снова записывается.</translation>
+    </message>
+    <message>
+        <source>The archive is not being written: %1 Until it is, what is measured waits in %2.</source>
+        <translation>Архив не записывается: %1 До тех пор измеренное ждёт в %2.</translation>
     </message>
 </context>
 <context>
@@ -5100,6 +5128,40 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::SpanPage</name>
+    <message>
+        <source>Sensor</source>
+        <translation>Датчик</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
+        <source>The span ends at the present moment and moves on with it</source>
+        <translation>Промежуток кончается текущим моментом и движется вместе с ним</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The archive does not answer. The journal says why.</source>
+        <translation>Архив не отвечает. Причина указана в журнале.</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Чтение…</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SpoolFile</name>
+    <message>
+        <source>%1 is full</source>
+        <translation>%1 заполнен</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Startup</name>
     <message>
         <source>%1 cannot be read (%2). Check the name and the rights of the file.</source>
@@ -5309,10 +5371,6 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>Наборы</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Сохранить</translation>
-    </message>
-    <message>
         <source>&amp;Picture (PNG)…</source>
         <translation>&amp;Рисунок (PNG)…</translation>
     </message>
@@ -5327,6 +5385,140 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Table for p&amp;rograms (CSV, ISO 8601)…</source>
         <translation>Таблица для &amp;программ (CSV, ISO 8601)…</translation>
+    </message>
+    <message>
+        <source>%1   Old files: %2</source>
+        <translation>%1   Старые файлы: %2</translation>
+    </message>
+    <message>
+        <source>Open old files: the folder History</source>
+        <translation>Открыть старые файлы: папка History</translation>
+    </message>
+    <message>
+        <source>The records in %1 hold another number of sensors than this configuration, so nobody knows whose they are. Start the program with the configuration they were made with.</source>
+        <translation>В записях папки %1 другое число датчиков, чем в этой конфигурации, поэтому неизвестно, чьи они. Запустите программу с той конфигурацией, с которой они сделаны.</translation>
+    </message>
+    <message>
+        <source>There are no old records in %1. Choose the folder with files like 2018_02_data.txt.</source>
+        <translation>В папке %1 нет старых записей. Выберите папку с файлами вида 2018_02_data.txt.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Файлы</translation>
+    </message>
+    <message>
+        <source>Back to the archive</source>
+        <translation>Вернуться к архиву</translation>
+    </message>
+    <message>
+        <source>&amp;Open old files…</source>
+        <translation>&amp;Открыть старые файлы…</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::WaveformPage</name>
+    <message>
+        <source>No sensor of the configuration measures accelerations.</source>
+        <translation>Ни один датчик конфигурации не измеряет ускорения.</translation>
+    </message>
+    <message>
+        <source>There are no samples in this span. Choose a longer span or another sensor.</source>
+        <translation>За это время отсчётов нет. Выберите больший промежуток или другой датчик.</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Отсчёты</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Спектр</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Частота, Гц</translation>
+    </message>
+    <message>
+        <source>Amplitude, %1</source>
+        <translation>Амплитуда, %1</translation>
+    </message>
+    <message>
+        <source>Window of the spectrum</source>
+        <translation>Окно спектра</translation>
+    </message>
+    <message>
+        <source>Hann</source>
+        <translation>Ханн</translation>
+    </message>
+    <message>
+        <source>Hamming</source>
+        <translation>Хэмминг</translation>
+    </message>
+    <message>
+        <source>Blackman-Harris</source>
+        <translation>Блэкман—Харрис</translation>
+    </message>
+    <message>
+        <source>no window</source>
+        <translation>без окна</translation>
+    </message>
+    <message>
+        <source>Samples of a segment: more give finer lines, fewer are averaged oftener and calm the noise</source>
+        <translation>Отсчётов в отрезке: больше — тоньше линии, меньше — больше усреднений и спокойнее шум</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 отсчётов</translation>
+    </message>
+    <message>
+        <source>%1 Hz (%2)</source>
+        <translation>%1 Гц (%2)</translation>
+    </message>
+    <message>
+        <source>Too few samples for a spectrum.</source>
+        <translation>Для спектра мало отсчётов.</translation>
+    </message>
+    <message>
+        <source>Segments averaged: %1, a line every %2 Hz. %3</source>
+        <translation>Усреднено отрезков: %1, линия через %2 Гц. %3</translation>
+    </message>
+    <message>
+        <source>No frequency stands out.</source>
+        <translation>Ни одна частота не выделяется.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::XyPage</name>
+    <message>
+        <source>start</source>
+        <translation>начало</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>конец</translation>
+    </message>
+    <message>
+        <source>In what angles are drawn</source>
+        <translation>В чём показаны углы</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>градусы</translation>
+    </message>
+    <message>
+        <source>arc-seconds</source>
+        <translation>угл. секунды</translation>
+    </message>
+    <message>
+        <source>No sensor of the configuration measures tilt.</source>
+        <translation>Ни один датчик конфигурации не измеряет наклон.</translation>
+    </message>
+    <message>
+        <source>There are no angles in this span. Choose a longer span or another sensor.</source>
+        <translation>За это время наклонов нет. Выберите больший промежуток или другой датчик.</translation>
+    </message>
+    <message>
+        <source>Way of the axis</source>
+        <translation>Путь оси</translation>
     </message>
 </context>
 <context>
@@ -6164,16 +6356,16 @@ backup ЦЕЛЬ    копирует его в нынешнем виде в фа�
         <translation>archive понимает check, stat или backup ЦЕЛЬ; см. gorizont-tool archive --help</translation>
     </message>
     <message>
-        <source>gorizont-tool archive --help tells of the archive of readings.</source>
-        <translation>gorizont-tool archive --help рассказывает об архиве показаний.</translation>
-    </message>
-    <message>
         <source>The folder with History; the folder of the configuration if not given.</source>
         <translation>Папка, где лежит History; без ключа — папка конфигурации.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2. Name the configuration with --config.</source>
         <translation>Не удаётся прочитать %1: %2. Укажите конфигурацию ключом --config.</translation>
+    </message>
+    <message>
+        <source>gorizont-tool archive --help and gorizont-tool export --help tell of the archive of readings.</source>
+        <translation>Об архиве показаний рассказывают gorizont-tool archive --help и gorizont-tool export --help.</translation>
     </message>
 </context>
 </TS>

@@ -8,13 +8,24 @@
 #include "ui/history/historypage.h"
 #include "ui/mainwindow.h"
 #include "ui/plots/trendspage.h"
+#include "ui/plots/waveformpage.h"
+#include "ui/plots/xypage.h"
 
 #include <QCoreApplication>
 #include <QDir>
 
+#include <algorithm>
+
 namespace gorizont {
 
 namespace {
+
+bool anySensor(const SensorRegistry &registry, bool SensorConfig::*measures)
+{
+    return std::ranges::any_of(registry.sensors(), [measures](const SensorRegistry::Sensor &sensor) {
+        return sensor.config.*measures;
+    });
+}
 
 QString title(const char *text)
 {
@@ -26,13 +37,25 @@ QString title(const char *text)
 void addWindowPages(MainWindow &window, const PageSources &sources)
 {
     const bool isArchived = sources.config.archive.isOn;
-    auto *trends = new TrendsPage(sources.registry, isArchived ? sources.archive.source() : SeriesSource());
+    const SeriesSource series = isArchived ? sources.archive.source() : SeriesSource();
+    auto *trends = new TrendsPage(sources.registry, series);
+    trends->setGravity(sources.config.gravity);
     window.addWidePage(trends, title(QT_TRANSLATE_NOOP("WindowPages", "Trends")), QKeySequence(Qt::Key_F6));
     auto *history = new HistoryPage(sources.registry, sources.config.name);
     if (isArchived) {
         history->setSource(archiveSource(sources.archive));
     }
     window.addWidePage(history, title(QT_TRANSLATE_NOOP("WindowPages", "History")), QKeySequence(Qt::Key_F7));
+    if (anySensor(sources.registry, &SensorConfig::measuresTilt)) {
+        window.addWidePage(
+            new XyPage(sources.registry, series), title(QT_TRANSLATE_NOOP("WindowPages", "Hodograph")),
+            QKeySequence(Qt::Key_F9));
+    }
+    if (anySensor(sources.registry, &SensorConfig::measuresAcceleration)) {
+        window.addWidePage(
+            new WaveformPage(sources.registry, series), title(QT_TRANSLATE_NOOP("WindowPages", "Oscillations")),
+            QKeySequence(Qt::Key_F12));
+    }
     if (!sources.registry.chains().isEmpty()) {
         const QString zeros = QDir(sources.dataFolder).filePath(QStringLiteral("Zero"));
         auto *displacement = new DisplacementPage(sources.registry, zeros);

@@ -36,7 +36,7 @@ public:
 
     std::variant<ExportRequest, QString> read()
     {
-        if (m_parser.positionalArguments().size() > 1) {
+        if (!m_parser.positionalArguments().isEmpty()) {
             complain(Text::tr("after %1 comes %2").arg(u"export"_s, Text::tr("nothing")));
         }
         m_request.zone = m_site.zone;

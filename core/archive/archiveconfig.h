@@ -21,7 +21,7 @@ struct ArchiveRetention
 struct ArchiveConfig
 {
     ArchiveDriver driver = ArchiveDriver::Sqlite;
-    QString file; ///< SQLite: the file; its folder is created when needed
+    QString file; ///< SQLite: the file; its folder is created when needed. PostgreSQL: see spoolFile()
     QString host; ///< PostgreSQL: name or address
     int port = 5432; ///< PostgreSQL
     QString database; ///< PostgreSQL
@@ -29,11 +29,15 @@ struct ArchiveConfig
     QString password; ///< PostgreSQL
     QString site; ///< PostgreSQL: the schema in which the tables of this site are
     QList<LineConfig> lines;
+    qint64 mostSpoolBytes = qint64{2} << 30; ///< PostgreSQL: of the file that bridges a server that is gone
     ArchiveRetention retention;
     std::chrono::milliseconds commitInterval{800}; ///< what a kill can lose
     std::chrono::milliseconds retryInterval{3000}; ///< after a failure the store is asked this often
     std::chrono::milliseconds retentionInterval{600'000};
 };
+
+/// PostgreSQL: where what is measured waits for a server that is gone, beside \a file; empty: there is no such file.
+QString spoolFile(const ArchiveConfig &config);
 
 struct ServerConfig;
 

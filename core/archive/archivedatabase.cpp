@@ -1,6 +1,7 @@
 #include "core/archive/archivedatabase.h"
 
 #include "core/archive/archiveschema.h"
+#include "core/archive/postgresql.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -40,19 +41,6 @@ ArchiveFault sqliteFault(int code)
     }
 }
 
-/// https://www.postgresql.org/docs/15/errcodes-appendix.html, the classes.
-ArchiveFault postgreSqlFault(const QSqlError &error)
-{
-    const QString code = error.nativeErrorCode();
-    if (error.type() == QSqlError::ConnectionError || code.isEmpty() || code.startsWith(u"08")
-        || code.startsWith(u"57P")) {
-        return ArchiveFault::Gone;
-    }
-    return code == u"53100"         ? ArchiveFault::Full
-        : code.startsWith(u"42501") ? ArchiveFault::Denied
-                                    : ArchiveFault::Other;
-}
-
 QString quotedName(const QString &name)
 {
     return u'"' + QString(name).replace(u'"', u"\"\""_s) + u'"';
@@ -83,6 +71,9 @@ bool ArchiveDatabase::open()
     if (isSqlite() && m_access == Access::Write && !prepareFolder()) {
         return false;
     }
+    if (!isSqlite() && !QSqlDatabase::isDriverAvailable(u"QPSQL"_s)) {
+        return fail(ArchiveFault::Denied, tr("The driver for PostgreSQL is missing. Install libqt6sql6-psql."));
+    }
     m_database = QSqlDatabase::addDatabase(isSqlite() ? u"QSQLITE"_s : u"QPSQL"_s, m_connection);
     if (isSqlite()) {
         m_database.setDatabaseName(m_config.file);
@@ -95,7 +86,7 @@ bool ArchiveDatabase::open()
         m_database.setDatabaseName(m_config.database);
         m_database.setUserName(m_config.user);
         m_database.setPassword(m_config.password);
-        m_database.setConnectOptions(u"connect_timeout=5"_s);
+        m_database.setConnectOptions(postgreSqlOptions());
     }
     m_isOpen = m_database.open();
     if (!m_isOpen) {
@@ -136,10 +127,7 @@ bool ArchiveDatabase::prepareFolder()
 bool ArchiveDatabase::configure()
 {
     if (!isSqlite()) {
-        const QString schema = quotedName(m_config.site);
-        return execute(u"SET client_min_messages TO warning"_s)
-            && (m_access != Access::Write || execute(u"CREATE SCHEMA IF NOT EXISTS "_s + schema))
-            && execute(u"SET search_path TO "_s + schema);
+        return configureServer();
     }
     if (m_access != Access::Write) {
         return true;
@@ -148,6 +136,31 @@ bool ArchiveDatabase::configure()
     return execute(u"PRAGMA page_size=16384"_s) && execute(u"PRAGMA auto_vacuum=INCREMENTAL"_s)
         && execute(u"PRAGMA journal_mode=WAL"_s) && execute(u"PRAGMA synchronous=FULL"_s)
         && execute(u"PRAGMA cache_size=-8192"_s) && execute(u"PRAGMA journal_size_limit=16777216"_s);
+}
+
+/// One site is one schema, and one program writes into it at a time.
+bool ArchiveDatabase::configureServer()
+{
+    constexpr int archiveLocks = 0x67727a74;
+    const QString schema = quotedName(m_config.site);
+    for (const QString &statement : postgreSqlSetup(m_access)) {
+        if (!execute(statement)) {
+            return false;
+        }
+    }
+    if (m_access == Access::Write) {
+        const QVariant isFree = single(u"SELECT pg_try_advisory_lock(?, hashtext(?))"_s, {archiveLocks, m_config.site});
+        if (!isFree.toBool()) {
+            return isFree.isValid()
+                && fail(ArchiveFault::Busy, tr("%1 is in use by another program. Close that program.").arg(name()));
+        }
+        // Who may use a schema need not have the right to create one.
+        const QVariant count = single(u"SELECT count(*) FROM pg_namespace WHERE nspname = ?"_s, {m_config.site});
+        if (!count.isValid() || (count.toInt() == 0 && !execute(u"CREATE SCHEMA "_s + schema))) {
+            return false;
+        }
+    }
+    return execute(u"SET search_path TO "_s + schema);
 }
 
 bool ArchiveDatabase::migrate()
@@ -246,6 +259,11 @@ QVariant ArchiveDatabase::single(const QString &sql, const QVariantList &values)
 bool ArchiveDatabase::fail(const QSqlError &error)
 {
     const auto fault = isSqlite() ? sqliteFault(error.nativeErrorCode().toInt()) : postgreSqlFault(error);
+    const QString refusal = isSqlite() ? QString() : postgreSqlRefusal(error);
+    if (fault == ArchiveFault::Denied && !refusal.isEmpty()) {
+        return fail(
+            fault, tr("%1 refuses: %2. Check User, PasswordFile and Database of [Archive].").arg(name(), refusal));
+    }
     switch (fault) {
     case ArchiveFault::Busy: return fail(fault, tr("%1 is in use by another program. Close that program.").arg(name()));
     case ArchiveFault::Full:
@@ -269,7 +287,7 @@ bool ArchiveDatabase::fail(ArchiveFault fault, const QString &sentence)
 QString ArchiveDatabase::name() const
 {
     return isSqlite() ? QDir::toNativeSeparators(m_config.file)
-                      : u"%1:%2/%3"_s.arg(m_config.host).arg(m_config.port).arg(m_config.database);
+                      : u"%1:%2/%3 (%4)"_s.arg(m_config.host).arg(m_config.port).arg(m_config.database, m_config.site);
 }
 
 } // namespace gorizont

@@ -66,6 +66,7 @@ public:
 private:
     bool prepareFolder();
     bool configure();
+    bool configureServer();
     bool migrate();
     bool fail(const QSqlError &error);
     bool fail(ArchiveFault fault, const QString &sentence);

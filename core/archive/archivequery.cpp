@@ -98,7 +98,7 @@ UtcTime startOf(QDate day, const QTimeZone &zone)
 
 bool ArchiveQuery::prepare()
 {
-    if (m_database.isOpen()) {
+    if (m_database.isOpen() && m_database.fault() != ArchiveFault::Gone) {
         return true;
     }
     const ArchiveConfig &config = m_database.config();

@@ -20,16 +20,17 @@ ArchiveRecorder::ArchiveRecorder(const ArchiveConfig &config, Note note)
 
 bool ArchiveRecorder::lock()
 {
-    if (m_lock || m_config.driver != ArchiveDriver::Sqlite) {
+    const QString path = m_config.driver == ArchiveDriver::Sqlite ? m_config.file : spoolFile(m_config);
+    if (m_lock || path.isEmpty()) {
         return true;
     }
-    QDir().mkpath(QFileInfo(m_config.file).absolutePath());
-    auto lock = std::make_unique<QLockFile>(m_config.file + QStringLiteral(".lock"));
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    auto lock = std::make_unique<QLockFile>(path + QStringLiteral(".lock"));
     lock->setStaleLockTime(0);
     if (!lock->tryLock(0)) {
         const bool isHeld = lock->error() == QLockFile::LockFailedError;
         m_fault = isHeld ? ArchiveFault::Busy : ArchiveFault::Denied;
-        const QString file = QDir::toNativeSeparators(m_config.file);
+        const QString file = QDir::toNativeSeparators(path);
         m_error = isHeld ? tr("Another copy of the program writes into %1. Close it, or name another file.").arg(file)
                          : tr("%1 cannot be opened for writing. Check the rights and the name.").arg(file);
         return false;
@@ -43,6 +44,16 @@ bool ArchiveRecorder::open(UtcTime now)
     if (!lock()) {
         return false;
     }
+    openSpool();
+    if (openStore(now)) {
+        return true;
+    }
+    bridge(now);
+    return false;
+}
+
+bool ArchiveRecorder::openStore(UtcTime now)
+{
     ArchiveDatabase &database = m_store.database();
     if (!database.open()) {
         return fail();
@@ -63,21 +74,39 @@ bool ArchiveRecorder::load(UtcTime now)
     if (!rows || (!alive && m_store.database().fault() != ArchiveFault::None)) {
         return false;
     }
+    const auto applied = m_store.applied();
+    if (!applied) {
+        return false;
+    }
+    m_applied = *applied;
     m_known = *sensors;
     if (!m_isAnew) {
         replay(*rows);
-        if (m_triedAt && m_triedAt == alive) {
-            m_waiting = {}; // it was committed, only the answer was lost
+        forgetWritten(alive);
+        if (m_spool && !m_spool->isEmpty()) {
+            bridge(now); // what is known is not in the tables yet
         }
     }
     return m_hasStarted || startLedger(now, alive.value_or(now));
 }
 
-bool ArchiveRecorder::startLedger(UtcTime now, UtcTime alive)
+/// What waits was committed, and only the answer was lost.
+void ArchiveRecorder::forgetWritten(const std::optional<UtcTime> &alive)
+{
+    if (m_spool && isApplied(m_spool->next())) {
+        m_spool->skip();
+        m_waiting = {};
+    } else if (m_triedAt && m_triedAt == alive) {
+        m_waiting = {};
+    }
+}
+
+/// Ends the gaps of the program before, which was there until \a alive. N → up to when something is known of it.
+std::optional<QHash<int, UtcTime>> ArchiveRecorder::knownUntil(UtcTime alive)
 {
     const auto ends = m_store.endOpenGaps(alive);
     if (!ends) {
-        return false;
+        return {};
     }
     QHash<int, UtcTime> knownUntil = *ends;
     for (auto known = m_known.cbegin(); known != m_known.cend(); ++known) {
@@ -88,9 +117,17 @@ bool ArchiveRecorder::startLedger(UtcTime now, UtcTime alive)
             knownUntil[number] = std::max(knownUntil.value(number, *sensor.validAt), *sensor.validAt);
         }
     }
-    m_ledger.start(now, knownUntil);
-    m_hasStarted = true;
-    return true;
+    return knownUntil;
+}
+
+bool ArchiveRecorder::startLedger(UtcTime now, UtcTime alive)
+{
+    const auto known = knownUntil(alive);
+    if (known) {
+        m_ledger.start(now, *known);
+        m_hasStarted = true;
+    }
+    return known.has_value();
 }
 
 void ArchiveRecorder::replay(const QList<ArchiveStore::TailRow> &rows)
@@ -161,19 +198,24 @@ void ArchiveRecorder::noteDropped(const ArchiveInbox::Contents &contents)
 bool ArchiveRecorder::commit(UtcTime now)
 {
     m_waiting.gaps += m_ledger.takeChanges();
-    m_isWaiting = !writeWaiting(now);
-    return !m_isWaiting && writeChunks(m_isAnew);
+    const bool isBehind = m_spool && (!isOpen() || !m_spool->isEmpty());
+    const bool isWritten = isBehind ? spoolWaiting(now) : writeWaiting(now);
+    m_isWaiting = !isWritten && (isBehind || !m_spool || !spoolWaiting(now));
+    return isOpen() && (isWritten || isBehind) && drain() && writeChunks(m_isAnew);
 }
 
 bool ArchiveRecorder::finish(ArchiveInbox &inbox, UtcTime now)
 {
-    if (m_isWaiting && !commit(now)) {
+    if (m_isWaiting) {
+        commit(now);
+    }
+    if (m_isWaiting) {
         return false;
     }
     take(inbox.take(), now);
     m_ledger.stop(now);
-    m_waiting.gaps += m_ledger.takeChanges();
-    return writeWaiting(now) && (!m_isAnew || writeChunks(true));
+    const bool isWritten = (isOpen() || isBridging()) && commit(now);
+    return isWritten || (isBridging() && !m_isWaiting);
 }
 
 void ArchiveRecorder::close()
@@ -244,32 +286,56 @@ bool ArchiveRecorder::putSalvagedSensors()
 
 bool ArchiveRecorder::writeWaiting(UtcTime now)
 {
-    ArchiveDatabase &database = m_store.database();
-    const QHash<int, KnownSensor> knownBefore = m_known;
-    qint64 row = 0;
+    m_waiting.time = now;
     m_triedAt = now;
-    if (!database.begin() || !writeBatch(now, &row) || !database.commit()) {
-        fail();
-        database.rollback();
-        m_known = knownBefore;
+    if (!writeBatches({m_waiting}, m_spool ? m_spool->next() : SpoolMark())) {
         return false;
     }
     m_triedAt.reset();
-    m_lastRow = std::max(m_lastRow, row);
-    for (const KeptReading &reading : m_waiting.readings) {
-        m_open.add(reading, row);
-    }
-    for (const SampleBlock &block : m_waiting.blocks) {
-        m_open.add(block, row);
+    if (m_spool) {
+        m_spool->skip();
     }
     m_waiting = {};
     return true;
 }
 
-bool ArchiveRecorder::writeBatch(UtcTime now, qint64 *row)
+/// All in one transaction, and with them the mark of the last one.
+bool ArchiveRecorder::writeBatches(const QList<ArchiveBatch> &batches, const SpoolMark &mark)
 {
+    ArchiveDatabase &database = m_store.database();
+    const QHash<int, KnownSensor> knownBefore = m_known;
+    QList<qint64> rows;
+    bool isGood = database.begin();
+    for (const ArchiveBatch &batch : batches) {
+        rows.append(0);
+        isGood = isGood && writeBatch(batch, &rows.last());
+    }
+    if (!isGood || (mark.spool != 0 && !m_store.setApplied(mark)) || !database.commit()) {
+        fail();
+        database.rollback();
+        m_known = knownBefore;
+        return false;
+    }
+    m_applied = mark;
+    for (qsizetype i = 0; i < batches.size(); ++i) {
+        m_lastRow = std::max(m_lastRow, rows.at(i));
+        for (const KeptReading &reading : batches.at(i).readings) {
+            m_open.add(reading, rows.at(i));
+        }
+        for (const SampleBlock &block : batches.at(i).blocks) {
+            m_open.add(block, rows.at(i));
+        }
+    }
+    return true;
+}
+
+bool ArchiveRecorder::writeBatch(const ArchiveBatch &waiting, qint64 *row)
+{
+    if (waiting.startedAt && !writeStop(*waiting.startedAt)) {
+        return false;
+    }
     TailBatch batch;
-    for (const KeptReading &reading : m_waiting.readings) {
+    for (const KeptReading &reading : waiting.readings) {
         batch.add(reading);
         if (!m_known.contains(reading.number)) {
             const KnownSensor sensor{reading.time, reading.time, 0, 0};
@@ -279,7 +345,7 @@ bool ArchiveRecorder::writeBatch(UtcTime now, qint64 *row)
             m_known.insert(reading.number, sensor);
         }
     }
-    for (const SampleBlock &block : m_waiting.blocks) {
+    for (const SampleBlock &block : waiting.blocks) {
         batch.add(block);
     }
     if (!batch.isEmpty()) {
@@ -289,17 +355,17 @@ bool ArchiveRecorder::writeBatch(UtcTime now, qint64 *row)
         }
         *row = *id;
     }
-    for (const JournalEntry &entry : m_waiting.entries) {
+    for (const JournalEntry &entry : waiting.entries) {
         if (!m_store.appendEvent(entry)) {
             return false;
         }
     }
-    for (const Gap &gap : m_waiting.gaps) {
+    for (const Gap &gap : waiting.gaps) {
         if (!m_store.putGap(gap)) {
             return false;
         }
     }
-    return m_store.setAlive(now);
+    return m_store.setAlive(waiting.time);
 }
 
 /// All that are ripe in one transaction: it costs one wait for the disk.

@@ -6,6 +6,8 @@
 #include "core/archive/openchunks.h"
 #include "core/archive/rollupbook.h"
 #include "core/archive/salvage.h"
+#include "core/archive/spoolbatch.h"
+#include "core/archive/spoolfile.h"
 #include "core/archive/tailbatch.h"
 
 #include <QLockFile>
@@ -16,8 +18,8 @@
 namespace gorizont {
 
 /// Writes what the inbox held into the store. First into the tail, so that a kill loses nothing that was committed; when
-/// enough is there, into chunks and rollups. What could not be written is tried again and is in no other place.
-/// Archive thread.
+/// enough is there, into chunks and rollups. What could not be written is tried again and is in no other place; only for
+/// a server it waits in a spool beside. Archive thread.
 class ArchiveRecorder
 {
     Q_DECLARE_TR_FUNCTIONS(gorizont::ArchiveRecorder)
@@ -31,13 +33,18 @@ public:
     /// fault() and error().
     bool open(UtcTime now);
     bool isOpen() { return m_store.database().isOpen(); }
+    /// The server is gone: what is taken goes into the spool.
+    bool isBridging() { return m_spool && m_hasStarted && !isOpen(); }
+
+    bool hasSpool() const { return m_spool && m_spool->isOpen(); }
 
     /// True: nothing waits to be written, take() is due.
     bool canTake() const { return m_hasStarted && !m_isWaiting; }
     void take(const ArchiveInbox::Contents &contents, UtcTime now);
     void clockStepped(UtcTime before, UtcTime after) { m_ledger.clockStepped(before, after); }
 
-    /// Writes what was taken, and chunks that are ripe. False: nothing of it was written, or not all chunks; it waits.
+    /// Writes what was taken, what the spool holds, and chunks that are ripe. False: nothing of it was written, or not
+    /// all chunks; it waits.
     bool commit(UtcTime now);
     /// The program ends: takes the last and commits it. What is in no chunk stays in the tail, so that it is quick.
     bool finish(ArchiveInbox &inbox, UtcTime now);
@@ -60,22 +67,35 @@ private:
         QList<Quantity> quantities;
         ValueOffsets offsets;
     };
-    /// What goes in with the next commit.
-    struct Waiting
+    /// What the spool held up to some place.
+    struct Spooled
     {
-        QList<KeptReading> readings;
-        QList<SampleBlock> blocks;
-        QList<JournalEntry> entries;
-        QList<Gap> gaps;
+        QList<ArchiveBatch> batches; ///< those that the server does not have
+        SpoolMark mark; ///< of the last one
+        qint64 end = 0; ///< in the spool
+        bool hasDamage = false;
     };
 
     bool lock();
+    void openSpool();
+    bool openStore(UtcTime now);
     bool load(UtcTime now);
+    std::optional<QHash<int, UtcTime>> knownUntil(UtcTime alive);
     bool startLedger(UtcTime now, UtcTime alive);
+    void bridge(UtcTime now);
+    void forgetWritten(const std::optional<UtcTime> &alive);
     void replay(const QList<ArchiveStore::TailRow> &rows);
     bool putSalvagedSensors();
     bool writeWaiting(UtcTime now);
-    bool writeBatch(UtcTime now, qint64 *row);
+    bool writeBatches(const QList<ArchiveBatch> &batches, const SpoolMark &mark);
+    bool writeBatch(const ArchiveBatch &waiting, qint64 *row);
+    bool writeStop(UtcTime startedAt);
+    bool spoolWaiting(UtcTime now);
+    bool drain();
+    bool drainSome();
+    Spooled readSpool();
+    bool isApplied(const SpoolMark &mark) const;
+    void noteSpool(bool isGood);
     bool writeChunks(bool isEverything);
     bool writeReadings(int number, const OpenChunks::Sensor &sensor);
     bool writeSamples(int number, const OpenChunks::Sensor &sensor);
@@ -85,11 +105,14 @@ private:
     const ArchiveConfig m_config;
     const Note m_note;
     ArchiveStore m_store;
-    std::unique_ptr<QLockFile> m_lock; ///< empty: PostgreSQL, or not open
+    std::unique_ptr<QLockFile> m_lock; ///< of the file or the spool; empty: not open
+    std::unique_ptr<SpoolFile> m_spool; ///< only PostgreSQL
+    SpoolMark m_applied; ///< the last one that the server has
+    bool m_isSpoolFailing = false;
     RollupBook m_rollups{m_store};
     GapLedger m_ledger;
     OpenChunks m_open;
-    Waiting m_waiting;
+    ArchiveBatch m_waiting; ///< goes in with the next commit
     QHash<int, SensorRules> m_rules; ///< by N
     QHash<int, KnownSensor> m_known;
     qint64 m_lastRow = 0; ///< of the tail

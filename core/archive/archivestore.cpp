@@ -27,6 +27,27 @@ bool ArchiveStore::setAlive(UtcTime now)
         {storedTime(now)});
 }
 
+std::optional<SpoolMark> ArchiveStore::applied()
+{
+    QSqlQuery *query = m_database.run(u"SELECT name, value FROM meta WHERE name IN ('spool', 'spooled')"_s);
+    if (!query) {
+        return {};
+    }
+    SpoolMark mark;
+    while (query->next()) {
+        (query->value(0).toString() == u"spool" ? mark.spool : mark.sequence) = query->value(1).toLongLong();
+    }
+    return mark;
+}
+
+bool ArchiveStore::setApplied(const SpoolMark &mark)
+{
+    return m_database.run(
+        u"INSERT INTO meta (name, value) VALUES ('spool', ?), ('spooled', ?) ON CONFLICT (name) DO UPDATE SET value = "
+        "excluded.value"_s,
+        {mark.spool, mark.sequence});
+}
+
 std::optional<QList<ArchiveStore::TailRow>> ArchiveStore::tail()
 {
     QSqlQuery *query = m_database.run(u"SELECT id, data FROM tail ORDER BY id"_s);

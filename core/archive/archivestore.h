@@ -2,6 +2,7 @@
 
 #include "core/archive/archivedatabase.h"
 #include "core/archive/chunkkind.h"
+#include "core/archive/spoolfile.h"
 #include "core/values/devicerecord.h"
 #include "core/values/gap.h"
 #include "core/values/journalentry.h"
@@ -34,6 +35,9 @@ public:
 
     std::optional<UtcTime> aliveAt(); ///< when the last commit was; empty: never
     bool setAlive(UtcTime now);
+
+    std::optional<SpoolMark> applied(); ///< the last batch that came with a mark; its spool is 0: none did
+    bool setApplied(const SpoolMark &mark);
 
     struct TailRow
     {

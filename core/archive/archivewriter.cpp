@@ -64,18 +64,19 @@ void ArchiveWriter::start()
 
 void ArchiveWriter::flush()
 {
+    const UtcTime now = m_clock();
+    if (m_recorder.isBridging()) { // first of all: to ask a server that is gone takes a while
+        takeInbox(now);
+        m_recorder.commit(now);
+    }
     if (m_retryAt && steadyNow() < *m_retryAt) {
         return;
     }
-    const UtcTime now = m_clock();
     if (!m_recorder.isOpen() && !m_recorder.open(now)) {
         failed();
         return;
     }
-    if (m_recorder.canTake()) {
-        noteClockStep(now);
-        m_recorder.take(m_inbox.take(), now);
-    }
+    takeInbox(now);
     if (m_recorder.commit(now)) {
         succeeded();
         (void)m_records.write(m_recorder.store()); // what waits is tried again with the next commit
@@ -83,6 +84,14 @@ void ArchiveWriter::flush()
         sweep(now);
     } else {
         failed();
+    }
+}
+
+void ArchiveWriter::takeInbox(UtcTime now)
+{
+    if (m_recorder.canTake()) {
+        noteClockStep(now);
+        m_recorder.take(m_inbox.take(), now);
     }
 }
 
@@ -112,11 +121,10 @@ void ArchiveWriter::stop()
 {
     m_timer.stop();
     const UtcTime now = m_clock();
-    if (m_recorder.isOpen() || m_recorder.open(now)) {
-        if (!m_recorder.finish(m_inbox, now)) {
-            failed();
-        }
-    } else {
+    if (!m_recorder.isOpen() && !m_recorder.isBridging() && !m_recorder.open(now)) {
+        failed();
+    }
+    if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
         failed();
     }
     if (!m_records.write(m_recorder.store()) && m_records.waiting() > 0) {
@@ -161,7 +169,11 @@ void ArchiveWriter::failed()
     if (!m_retryAt) {
         note(
             JournalKind::Error,
-            tr("The archive is not being written: %1 It is tried again every few seconds.").arg(m_recorder.error()));
+            m_recorder.hasSpool()
+                ? tr("The archive is not being written: %1 Until it is, what is measured waits in %2.")
+                      .arg(m_recorder.error(), QDir::toNativeSeparators(spoolFile(m_config)))
+                : tr("The archive is not being written: %1 It is tried again every few seconds.")
+                      .arg(m_recorder.error()));
     }
     m_retryAt = steadyNow() + m_config.retryInterval;
     if (m_recorder.fault() != ArchiveFault::Busy && m_recorder.fault() != ArchiveFault::Full) {

@@ -47,6 +47,7 @@ Q_SIGNALS:
     void replaced();
 
 private:
+    void takeInbox(UtcTime now);
     void noteClockStep(UtcTime now);
     void salvage();
     void sweep(UtcTime now);

@@ -6,6 +6,9 @@
 
 #ifdef Q_OS_UNIX
 #include <sys/stat.h>
+#include <unistd.h>
+#else
+#include <io.h>
 #endif
 
 namespace gorizont {
@@ -46,6 +49,19 @@ bool AppendFile::append(QByteArrayView bytes)
     fail();
     m_file.resize(m_size); // if even this fails, whoever opens the file next repairs it
     return false;
+}
+
+bool AppendFile::sync()
+{
+#ifdef Q_OS_UNIX
+    const bool isDone = ::fsync(m_file.handle()) == 0;
+#else
+    const bool isDone = ::_commit(m_file.handle()) == 0;
+#endif
+    if (!isDone) {
+        m_error = QFileInfo(path()).fileName() + QStringLiteral(": ") + qt_error_string();
+    }
+    return isDone;
 }
 
 bool AppendFile::cut(qint64 size)

@@ -20,6 +20,8 @@ public:
 
     /// All of \a bytes or, with false, nothing.
     bool append(QByteArrayView bytes);
+    /// What was appended is safe from a power cut then.
+    bool sync();
     bool cut(qint64 size);
     bool remove() { return m_file.remove(); } ///< closes it too
     QByteArray read(qint64 at, qint64 count); ///< shorter than \a count: failed

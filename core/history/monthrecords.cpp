@@ -7,7 +7,8 @@ namespace gorizont {
 namespace {
 
 constexpr qsizetype linesOfLook = 64; ///< to find the first record or the period
-constexpr qsizetype endOfLook = 1 << 16; ///< bytes at the end that are searched for the last record
+constexpr qint64 endOfLook = 1 << 16; ///< bytes at the end that are searched for the last record
+constexpr qint64 pieceSize = 1 << 17; ///< bytes that are read at once; a record of 1000 sensors is shorter
 
 } // namespace
 
@@ -15,22 +16,35 @@ MonthRecords::MonthRecords(const QString &path, const QTimeZone &zone)
     : m_file(path)
     , m_zone(zone)
 {
-    if (m_file.open(QIODevice::ReadOnly) && m_file.size() > 0) {
-        if (const uchar *bytes = m_file.map(0, m_file.size())) {
-            m_text = QByteArrayView(bytes, m_file.size());
-        }
+    if (m_file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
+        m_size = m_file.size();
     }
 }
 
-QByteArrayView MonthRecords::lineAt(qsizetype offset) const
+/// From \a offset up to and with the end of the line; a line that is longer than a piece is none of ours and comes cut.
+/// Empty: the file ends there, or cannot be read. Good until the next call.
+QByteArrayView MonthRecords::lineAt(qint64 offset) const
 {
-    return m_text.sliced(offset, nextLine(offset) - offset);
+    for (const bool isFresh : {false, true}) {
+        if (isFresh) {
+            m_piece = m_file.seek(offset) ? m_file.read(pieceSize) : QByteArray();
+            m_pieceAt = offset;
+        }
+        if (offset >= m_pieceAt && offset < m_pieceAt + m_piece.size()) {
+            const QByteArrayView rest = QByteArrayView(m_piece).sliced(offset - m_pieceAt);
+            const qsizetype end = rest.indexOf('\n');
+            if (end >= 0 || isFresh) {
+                return end >= 0 ? rest.first(end + 1) : rest;
+            }
+        }
+    }
+    return {};
 }
 
-qsizetype MonthRecords::nextLine(qsizetype offset) const
+qint64 MonthRecords::nextLine(qint64 offset) const
 {
-    const qsizetype end = m_text.indexOf('\n', offset);
-    return end < 0 ? m_text.size() : end + 1;
+    const qsizetype length = lineAt(offset).size();
+    return length > 0 ? offset + length : m_size;
 }
 
 std::optional<UtcTime> MonthRecords::timeOf(const HistoryRow &row) const
@@ -45,9 +59,9 @@ std::optional<UtcTime> MonthRecords::timeOf(const HistoryRow &row) const
 }
 
 /// Of the first record that begins at or behind \a offset, which is the start of a line.
-std::optional<UtcTime> MonthRecords::timeFrom(qsizetype offset) const
+std::optional<UtcTime> MonthRecords::timeFrom(qint64 offset) const
 {
-    for (qsizetype i = 0; i < linesOfLook && offset < m_text.size(); ++i) {
+    for (qsizetype i = 0; i < linesOfLook && offset < m_size; ++i) {
         if (const std::optional<HistoryRow> row = HistoryRow::parse(lineAt(offset))) {
             return timeOf(*row);
         }
@@ -64,8 +78,8 @@ std::optional<UtcTime> MonthRecords::first() const
 std::optional<UtcTime> MonthRecords::last() const
 {
     std::optional<UtcTime> found;
-    const qsizetype from = std::max<qsizetype>(0, m_text.size() - endOfLook);
-    for (qsizetype offset = from == 0 ? 0 : nextLine(from); offset < m_text.size(); offset = nextLine(offset)) {
+    const qint64 from = std::max<qint64>(0, m_size - endOfLook);
+    for (qint64 offset = from == 0 ? 0 : nextLine(from); offset < m_size; offset = nextLine(offset)) {
         if (const std::optional<HistoryRow> row = HistoryRow::parse(lineAt(offset))) {
             found = timeOf(*row);
         }
@@ -75,8 +89,8 @@ std::optional<UtcTime> MonthRecords::last() const
 
 qsizetype MonthRecords::groups() const
 {
-    qsizetype offset = 0;
-    for (qsizetype i = 0; i < linesOfLook && offset < m_text.size(); ++i) {
+    qint64 offset = 0;
+    for (qsizetype i = 0; i < linesOfLook && offset < m_size; ++i) {
         if (const std::optional<HistoryRow> row = HistoryRow::parse(lineAt(offset))) {
             return row->groups();
         }
@@ -89,8 +103,8 @@ std::chrono::microseconds MonthRecords::period() const
 {
     QList<std::chrono::microseconds> distances;
     std::optional<UtcTime> before;
-    qsizetype offset = 0;
-    for (qsizetype i = 0; i < linesOfLook && offset < m_text.size(); ++i, offset = nextLine(offset)) {
+    qint64 offset = 0;
+    for (qsizetype i = 0; i < linesOfLook && offset < m_size; ++i, offset = nextLine(offset)) {
         if (const std::optional<HistoryRow> row = HistoryRow::parse(lineAt(offset))) {
             const std::optional<UtcTime> time = timeOf(*row);
             if (before && *time > *before) {
@@ -108,12 +122,12 @@ std::chrono::microseconds MonthRecords::period() const
 }
 
 /// By bisection: the start of the line from which on records are to be read.
-qsizetype MonthRecords::firstAtOrAfter(UtcTime time) const
+qint64 MonthRecords::firstAtOrAfter(UtcTime time) const
 {
-    qsizetype low = 0;
-    qsizetype high = m_text.size();
+    qint64 low = 0;
+    qint64 high = m_size;
     while (high - low > endOfLook) {
-        const qsizetype middle = nextLine(low + (high - low) / 2);
+        const qint64 middle = nextLine(low + (high - low) / 2);
         const std::optional<UtcTime> there = middle < high ? timeFrom(middle) : std::nullopt;
         if (there && *there < time) {
             low = middle;
@@ -126,7 +140,7 @@ qsizetype MonthRecords::firstAtOrAfter(UtcTime time) const
 
 void MonthRecords::read(UtcTime from, UtcTime to, const Take &take) const
 {
-    for (qsizetype offset = firstAtOrAfter(from); offset < m_text.size(); offset = nextLine(offset)) {
+    for (qint64 offset = firstAtOrAfter(from); offset < m_size; offset = nextLine(offset)) {
         const std::optional<HistoryRow> row = HistoryRow::parse(lineAt(offset));
         const std::optional<UtcTime> time = row ? timeOf(*row) : std::nullopt;
         if (!time || *time < from) {

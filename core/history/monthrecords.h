@@ -10,13 +10,14 @@
 
 namespace gorizont {
 
-/// One text file of a month, read where it is wanted only: its records stand in ascending time. Any one thread.
+/// One text file of a month, read where it is wanted only: its records stand in ascending time. Any one thread. A medium
+/// that goes away while it is read ends the file there.
 class MonthRecords
 {
 public:
     MonthRecords(const QString &path, const QTimeZone &zone);
 
-    bool isOpen() const { return !m_text.isEmpty(); }
+    bool isOpen() const { return m_size > 0; }
 
     std::optional<UtcTime> first() const;
     std::optional<UtcTime> last() const;
@@ -30,15 +31,17 @@ public:
     void read(UtcTime from, UtcTime to, const Take &take) const;
 
 private:
-    QByteArrayView lineAt(qsizetype offset) const;
-    qsizetype nextLine(qsizetype offset) const;
+    QByteArrayView lineAt(qint64 offset) const;
+    qint64 nextLine(qint64 offset) const;
     std::optional<UtcTime> timeOf(const HistoryRow &row) const;
-    std::optional<UtcTime> timeFrom(qsizetype offset) const;
-    qsizetype firstAtOrAfter(UtcTime time) const;
+    std::optional<UtcTime> timeFrom(qint64 offset) const;
+    qint64 firstAtOrAfter(UtcTime time) const;
 
-    QFile m_file;
+    mutable QFile m_file; // a mapped file would end the program when its medium is pulled
     QTimeZone m_zone;
-    QByteArrayView m_text; ///< the mapped file
+    qint64 m_size = 0; ///< bytes
+    mutable QByteArray m_piece; ///< of the file
+    mutable qint64 m_pieceAt = 0;
     mutable QDate m_day; ///< of the last conversion: a zone is slow to ask
     mutable int m_hour = -1;
     mutable UtcTime m_hourStart;

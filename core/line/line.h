@@ -78,8 +78,8 @@ public:
 
     /// Empty: the line does not know, or has none.
     virtual std::optional<PortSettings> port() const { return std::nullopt; }
-    /// From now on bytes are sent and heard like this, until the next call. Refused: the line cannot. Closed: the port took
-    /// them badly and was closed.
+    /// From now on bytes are sent and heard like this, until the next call or until the port is opened again: then it is
+    /// as the configuration says. Refused: the line cannot. Closed: the port took them badly and was closed.
     virtual Result<void> setPort(const PortSettings &port);
 
     /// The next request waits until the line was silent for this long, whoever sends it.

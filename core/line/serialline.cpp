@@ -34,6 +34,11 @@ QSerialPort::StopBits qtStopBits(StopBits bits)
     return QSerialPort::OneStop;
 }
 
+PortSettings ofConfig(const LineConfig &config)
+{
+    return {config.baudRate, config.parity, config.stopBits};
+}
+
 /// Asks the driver of the adapter to switch the direction itself; false where it cannot.
 bool enableRs485([[maybe_unused]] QSerialPort &port)
 {
@@ -51,6 +56,7 @@ bool enableRs485([[maybe_unused]] QSerialPort &port)
 SerialLine::SerialLine(const QString &device, const LineConfig &config, std::chrono::milliseconds pauseTick)
     : Line(pauseTick)
     , m_config(config)
+    , m_settings(ofConfig(config))
 {
     m_port.setPortName(device);
     // Between two turns the event loop watches the port; without this it would report a vanished one without end.
@@ -69,7 +75,8 @@ SerialLine::~SerialLine() = default;
 Result<void> SerialLine::open()
 {
     m_port.clearError();
-    if (!m_port.open(QIODevice::ReadWrite) || !configure(m_config)) {
+    m_settings = ofConfig(m_config);
+    if (!m_port.open(QIODevice::ReadWrite) || !configure(m_settings)) {
         return closeBroken();
     }
     if (m_config.isRs485 && !enableRs485(m_port)) {
@@ -83,11 +90,11 @@ Result<void> SerialLine::open()
     return {};
 }
 
-bool SerialLine::configure(const LineConfig &config)
+bool SerialLine::configure(const PortSettings &port)
 {
-    return m_port.setBaudRate(config.baudRate)
-        && m_port.setDataBits(static_cast<QSerialPort::DataBits>(config.dataBits))
-        && m_port.setParity(qtParity(config.parity)) && m_port.setStopBits(qtStopBits(config.stopBits))
+    return m_port.setBaudRate(port.baudRate)
+        && m_port.setDataBits(static_cast<QSerialPort::DataBits>(m_config.dataBits))
+        && m_port.setParity(qtParity(port.parity)) && m_port.setStopBits(qtStopBits(port.stopBits))
         && m_port.setFlowControl(QSerialPort::NoFlowControl);
 }
 
@@ -103,7 +110,7 @@ bool SerialLine::isOpen() const
 
 std::optional<PortSettings> SerialLine::port() const
 {
-    return PortSettings{m_config.baudRate, m_config.parity, m_config.stopBits};
+    return m_settings;
 }
 
 Result<void> SerialLine::setPort(const PortSettings &port)
@@ -111,15 +118,11 @@ Result<void> SerialLine::setPort(const PortSettings &port)
     if (!m_port.isOpen()) {
         return Fault::Closed;
     }
-    LineConfig config = m_config;
-    config.baudRate = port.baudRate;
-    config.parity = port.parity;
-    config.stopBits = port.stopBits;
-    if (!configure(config)) {
+    if (!configure(port)) {
         m_port.clearError();
-        return configure(m_config) ? Fault::Refused : closeBroken();
+        return configure(m_settings) ? Fault::Refused : closeBroken();
     }
-    m_config = config;
+    m_settings = port;
     m_port.clear(QSerialPort::Input);
     return {};
 }

@@ -26,13 +26,14 @@ protected:
     Result<QByteArray> readSome(std::chrono::microseconds timeout) override;
 
 private:
-    bool configure(const LineConfig &config);
+    bool configure(const PortSettings &port);
     bool isNodePresent() const;
     bool hasFailed() const;
     Fault closeBroken();
 
     QSerialPort m_port;
-    LineConfig m_config;
+    const LineConfig m_config;
+    PortSettings m_settings; ///< of now
 };
 
 } // namespace gorizont

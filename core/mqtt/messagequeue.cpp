@@ -177,6 +177,7 @@ bool MessageQueue::readSome()
     }
     if (segment->end <= m_nextOut) {
         m_position.at = segment->bytes; // nothing in it is wanted
+        m_expected = segment->end;
         return true;
     }
     const qint64 count = std::min(chunkSize, segment->bytes - m_position.at);

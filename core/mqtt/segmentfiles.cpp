@@ -5,6 +5,8 @@
 #include <QDir>
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace gorizont {
 
 namespace {
@@ -86,8 +88,10 @@ bool SegmentFiles::open()
 bool SegmentFiles::repairTail()
 {
     QueueSegment &tail = m_segments.back();
-    if (!m_tail.open(pathOf(tail.first), AppendFile::Mode::Continue)) {
-        return false; // it is read all the same, and written no more
+    if (!m_tail.open(pathOf(tail.first), AppendFile::Mode::Continue)) { // it is read all the same, and written no more
+        const WholeRecords whole = wholeRecords(read(tail, 0, tail.bytes), tail.first);
+        tail.end = std::max(whole.end, tail.first + 1); // the next file needs another name
+        return false;
     }
     const WholeRecords whole = wholeRecords(m_tail.read(0, m_tail.size()), tail.first);
     tail.end = whole.end;

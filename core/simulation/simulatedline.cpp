@@ -25,6 +25,7 @@ SimulatedLine::SimulatedLine(
     std::chrono::milliseconds pauseTick)
     : Line(pauseTick)
     , m_bus(config, options)
+    , m_configured(*port())
     , m_started(started)
 {
 }
@@ -32,6 +33,7 @@ SimulatedLine::SimulatedLine(
 Result<void> SimulatedLine::open()
 {
     sleepExactly();
+    m_bus.setPort(m_configured);
     m_isOpen = true;
     return {};
 }

@@ -29,6 +29,7 @@ protected:
 
 private:
     SimulatedBus m_bus;
+    const PortSettings m_configured;
     SteadyTime m_started;
     QList<SimulatedBus::Piece> m_arriving;
     bool m_isOpen = false;

@@ -28,8 +28,9 @@ std::variant<ExportRequest, QString> parse(const QString &line)
 {
     QCommandLineParser parser;
     describeExport(parser);
-    const QStringList arguments = (u"gorizont-tool export "_s + line).split(u' ', Qt::SkipEmptyParts);
-    return parser.parse(arguments) ? exportRequest(parser, site()) : parser.errorText();
+    const QStringList arguments = line.split(u' ', Qt::SkipEmptyParts);
+    return parser.parse(QStringList{u"gorizont-tool export"_s} + arguments) ? exportRequest(parser, site())
+                                                                            : parser.errorText();
 }
 
 QList<int> numbers(const ExportRequest &request)

@@ -56,7 +56,8 @@ class Archive(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(server.stop(), 0)
             for start, finish in rows(file, f"SELECT start, finish FROM gap WHERE reason = {PROGRAM_STOPPED}"):
-                self.assertLess(abs(start / 1e6 - killed), 2.5)
+                self.assertLessEqual(start / 1e6, killed)
+                self.assertGreater(start / 1e6, killed - 10)  # commits are a second apart, on a busy machine more
                 self.assertGreater(finish / 1e6 - killed, 5)
             for name in (file, copy):
                 self.assertEqual(tool("check", "--archive", name).returncode, 0, name)

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QTableView>
@@ -341,6 +342,45 @@ private Q_SLOTS:
         QAction *forget = layoutAction(QStringLiteral("&Delete"))->menu()->actions().constFirst();
         forget->trigger();
         QVERIFY(!layoutAction(QStringLiteral("Fundament && roof")));
+    }
+
+    void oldFilesAreShown()
+    {
+        QDir history(m_settings.path());
+        QVERIFY(history.mkpath(QStringLiteral("History")) && history.cd(QStringLiteral("History")));
+        QFile file(history.filePath(QStringLiteral("2018_02_data.txt")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        const QByteArray group = "\t  -264.0\t  7200.0\t   21.38\t     0.0\t 0 0000 0000 0000";
+        file.write("18:33:03 07.02.18\t3300" + group + group + group + group + "\r\n");
+        file.write("18:33:04 07.02.18\t3300" + group + group + group + group + "\r\n");
+        file.close();
+        m_page->showCurves({{2, Quantity::TiltY}});
+        m_page->openOldFiles(history.path());
+        auto *back = m_page->findChild<QAction *>(QStringLiteral("archiveAction"));
+        QTRY_VERIFY(back->isVisible());
+        QTRY_COMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 2);
+        QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->data()->at(0)->value, 2.0);
+        QVERIFY(!m_page->isFollowing());
+        m_registry->update({test::tiltReading(2, 1, 1, SteadyTime())});
+        QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 2); // the present is not among old files
+        const TimeSpan shown = plot()->span();
+        QTest::keyClick(plot(), Qt::Key_PageUp);
+        QTest::keyClick(plot(), Qt::Key_Home);
+        QCOMPARE(plot()->span(), shown);
+        const std::size_t asked = m_source->questions.size();
+        back->trigger();
+        QVERIFY(m_page->isFollowing());
+        QCOMPARE(m_source->questions.size(), asked + 1);
+    }
+
+    void foldersWithoutFilesAreExplained()
+    {
+        m_page->openOldFiles(m_settings.filePath(QStringLiteral("none")));
+        QTRY_VERIFY(m_page->findChild<QMessageBox *>(QStringLiteral("trendMessage")));
+        auto *box = m_page->findChild<QMessageBox *>(QStringLiteral("trendMessage"));
+        QVERIFY(box->text().startsWith(QStringLiteral("There are no old records in")));
+        box->close();
+        QVERIFY(m_page->isFollowing());
     }
 
     void aSensorIsDropped()

@@ -27,11 +27,14 @@ constexpr std::array<Range, 6> ranges{{
 
 } // namespace
 
-RangeActions::RangeActions(QObject *parent)
+RangeActions::RangeActions(QObject *parent, std::chrono::seconds longest)
     : QActionGroup(parent)
 {
     setExclusionPolicy(ExclusionPolicy::ExclusiveOptional);
     for (const Range &range : ranges) {
+        if (range.span > longest) {
+            break;
+        }
         QAction *action = addAction(tr(range.title));
         action->setObjectName(QStringLiteral("range%1").arg(range.span.count()));
         action->setCheckable(true);

@@ -12,7 +12,8 @@ class RangeActions : public QActionGroup
     Q_OBJECT
 
 public:
-    explicit RangeActions(QObject *parent);
+    /// Spans that are longer than \a longest are left out.
+    explicit RangeActions(QObject *parent, std::chrono::seconds longest = std::chrono::years(1));
 
     /// Checks the action of \a span, or none.
     void setShown(std::chrono::microseconds span);

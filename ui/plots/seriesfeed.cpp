@@ -35,6 +35,9 @@ bool isOutOfReach(quint16 status)
 
 std::optional<SeriesBucket> bucketOf(const Reading &reading, Quantity quantity)
 {
+    if (!readingQuantities().contains(quantity)) {
+        return {}; // samples come in blocks, and from the source alone
+    }
     const std::optional<double> value = isOutOfReach(reading.status) ? std::nullopt : valueOf(reading, quantity);
     if (!value) {
         return SeriesBucket{reading.time, 0, 0, 0, 1, 0};

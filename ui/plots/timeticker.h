@@ -11,6 +11,9 @@ public:
     void generate(
         const QCPRange &range, const QLocale &locale, QChar formatChar, int precision, QVector<double> &ticks,
         QVector<double> *subTicks, QVector<QString> *tickLabels) override;
+
+protected:
+    double getTickStep(const QCPRange &range) override;
 };
 
 } // namespace gorizont

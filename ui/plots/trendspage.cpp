@@ -50,7 +50,8 @@ void TrendsPage::connectParts()
     connect(m_ranges, &RangeActions::chosen, this, &TrendsPage::applyRange);
     connect(m_now, &QAction::triggered, this, &TrendsPage::setFollowing);
     connect(m_plot, &TimePlot::spanChanged, this, &TrendsPage::applySpan);
-    connect(m_plot, &TimePlot::endWanted, this, [this] { setFollowing(true); });
+    connect(m_plot, &TimePlot::endWanted, this, &TrendsPage::showEnd);
+    connect(m_plot, &TimePlot::beginningWanted, this, &TrendsPage::showBeginning);
     connect(m_plot, &TimePlot::movedByHand, this, &TrendsPage::leaveEdge);
     connect(m_cursors, &CursorPair::moved, this, &TrendsPage::updateCursors);
 }
@@ -80,8 +81,10 @@ void TrendsPage::applyRange(std::chrono::seconds span)
 void TrendsPage::setSource(SeriesSource source)
 {
     m_source = std::move(source);
-    m_feed->setSource(m_source, true);
-    updateTexts();
+    if (!m_files) {
+        m_feed->setSource(m_source, true);
+        updateTexts();
+    }
 }
 
 QList<SeriesKey> TrendsPage::curves() const
@@ -101,6 +104,10 @@ void TrendsPage::addSensor(int number)
 
 void TrendsPage::follow(std::chrono::seconds span)
 {
+    if (m_files) {
+        showSpan({m_files->to - span, m_files->to});
+        return;
+    }
     const UtcTime now = m_clock();
     m_plot->setSpan({now - span, now});
     setFollowing(true);
@@ -249,7 +256,8 @@ void TrendsPage::updateTexts()
     } else if (m_feed->isWaiting()) {
         m_state->setText(tr("Reading…"));
     } else {
-        m_state->setText(tr("%1 – %2").arg(plottext::moment(shown.from), plottext::moment(shown.to)));
+        const QString seen = tr("%1 – %2").arg(plottext::moment(shown.from), plottext::moment(shown.to));
+        m_state->setText(m_files ? tr("%1   Old files: %2").arg(seen, m_filesPath) : seen);
     }
 }
 

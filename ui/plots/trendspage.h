@@ -44,6 +44,12 @@ public:
     /// Adds what an operator wants to see first of a sensor.
     void addSensor(int number);
 
+    /// Shows the text and binary files of a folder History instead of the archive, until somebody goes back.
+    void openOldFiles(const QString &path);
+    void closeOldFiles();
+    /// m/s², [Common] Gravity: what one unit of the binary files is.
+    void setGravity(double gravity) { m_gravity = gravity; }
+
     /// The span ends now and moves on with the clock.
     void follow(std::chrono::seconds span);
     void showSpan(const TimeSpan &span);
@@ -82,6 +88,10 @@ private:
     void updateCursors();
     Series whole(const SeriesKey &key) const; ///< history and edge
 
+    void askOldFiles();
+    void showOldFiles(const QString &path, const TimeSpan &span, SeriesSource source);
+    void showBeginning();
+    void showEnd();
     void askExport(Export form);
     void tell(const QString &text);
     TrendLayout layoutNow(const QString &name) const;
@@ -107,6 +117,10 @@ private:
     QTimer *m_tick = nullptr;
     TiltUnit m_unit = TiltUnit::Degrees;
     bool m_isFollowing = true;
+    QAction *m_archive = nullptr; ///< goes back from old files
+    std::optional<TimeSpan> m_files; ///< of the old files that are open; empty: none are
+    QString m_filesPath;
+    double m_gravity = 9.81347;
 };
 
 } // namespace gorizont

@@ -108,11 +108,16 @@ void TrendsPage::buildMenus(QToolBar *bar)
     };
     QMenu *layouts = addMenu(tr("Layouts"), "layoutsMenu");
     connect(layouts, &QMenu::aboutToShow, this, [this, layouts] { fillLayouts(layouts); });
-    QMenu *files = addMenu(tr("Save"), "exportMenu");
+    QMenu *files = addMenu(tr("Files"), "exportMenu");
+    m_archive = bar->addAction(tr("Back to the archive"), this, &TrendsPage::closeOldFiles);
+    m_archive->setObjectName(QStringLiteral("archiveAction"));
+    m_archive->setVisible(false);
     files->addAction(tr("&Picture (PNG)…"), this, [this] { askExport(Export::Png); });
     files->addAction(tr("&Document (PDF)…"), this, [this] { askExport(Export::Pdf); });
     files->addAction(tr("Table for &Excel (CSV)…"), this, [this] { askExport(Export::ExcelCsv); });
     files->addAction(tr("Table for p&rograms (CSV, ISO 8601)…"), this, [this] { askExport(Export::IsoCsv); });
+    files->addSeparator();
+    files->addAction(tr("&Open old files…"), this, &TrendsPage::askOldFiles);
 }
 
 } // namespace gorizont

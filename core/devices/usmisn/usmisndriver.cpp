@@ -38,7 +38,8 @@ public:
     Result<Measurement> poll(Line &line) override
     {
         const auto measurement = measure(line);
-        m_failures = measurement || isLineFault(measurement.fault()) ? 0 : m_failures + 1;
+        const bool isSilent = !measurement && measurement.fault() == Fault::Timeout; // whoever answers does not hang
+        m_failures = isSilent ? m_failures + 1 : 0;
         return measurement;
     }
 

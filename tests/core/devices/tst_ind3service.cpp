@@ -1,14 +1,10 @@
-#include "core/devices/ind3/ind3service.h"
-#include "tests/support/fakeline.h"
-
-#include <QTest>
+#include "tests/core/devices/ind3frames.h"
 
 using namespace gorizont;
 using namespace gorizont::ind3;
-using namespace gorizont::test;
-using namespace std::chrono_literals;
+using namespace gorizont::ind3::test;
 
-/// Frames of spec/ind3.md; those that it does not have were assembled by another program.
+/// What the service reads from ИН-Д3 and writes into it.
 class TstInd3Service : public QObject
 {
     Q_OBJECT
@@ -34,99 +30,7 @@ private Q_SLOTS:
     void outOfRange_data();
     void outOfRange();
     void exceptionIsFinal();
-    void changesAddress();
-    void changesAddressModbus();
-    void takenAddress_data();
-    void takenAddress();
-    void lostAnswerOfTheNewAddress();
-    void atNeither();
-    void stillAtTheOldOne();
-    void oldProtocol();
 };
-
-namespace {
-
-Timing timing()
-{
-    Timing timing;
-    timing.readCommand = 200ms;
-    return timing;
-}
-
-const Service service(timing(), Dialect::V211);
-const Service modbusService(timing(), Dialect::Modbus);
-
-const QByteArray askVersion = hex("7E 9B 0E 01 94 7E");
-const QByteArray version = hex("7E 9B 0E 01 76 32 2E 31 31 FE 7E");
-const QByteArray askOffset = hex("7E 9C 05 01 98 7E");
-const QByteArray offset = hex("7E 9C 05 01 80 0A 80 20 05 00 B7 7E");
-const QByteArray askTicks = hex("7E 9C 0C 01 91 7E");
-const QByteArray ticks32 = hex("7E 9C 0C 01 05 94 7E");
-const QByteArray ticks64 = hex("7E 9C 0C 01 06 97 7E");
-const QByteArray setTicks64 = hex("7E 9C 0D 01 06 96 7E");
-const QByteArray ticksSet = hex("7E 9C 0D 01 90 7E");
-const QByteArray askTilt1 = hex("7E 9B 01 01 9B 7E");
-const QByteArray tilt1 = hex("7E 9B 01 01 6A 77 80 38 C2 00 FC 7E");
-const QByteArray askTilt2 = hex("7E 9B 01 02 98 7E");
-const QByteArray tilt2 = hex("7E 9B 01 02 6A 77 80 38 C2 00 FF 7E");
-const QByteArray setAddress2 = hex("7E 9C 09 01 02 96 7E");
-const QByteArray addressSet = hex("7E 9C 09 02 97 7E");
-const QByteArray broken = hex("7E 9B 01 02 6A 77 80 38 C2 00 FE 7E");
-const QByteArray silence;
-
-const QByteArray modbusAskSettings = hex("01 03 00 14 00 08 04 08");
-const QByteArray modbusSettings = hex("01 03 10 00 04 00 01 00 02 00 05 10 30 00 01 00 00 07 5F 98 F4");
-const QByteArray modbusSettings64 = hex("01 03 10 00 04 00 01 00 02 00 06 10 30 00 01 00 00 07 5F 8C 04");
-const QByteArray modbusAskOffset = hex("01 03 00 1E 00 04 24 0F");
-const QByteArray modbusOffset = hex("01 03 08 FF FF D6 FC 00 00 14 05 59 3D");
-const QByteArray modbusAskTilt2 = hex("02 04 00 00 00 04 F1 FA");
-const QByteArray modbusTilt2 = hex("02 04 08 FF FE 2D 8A 00 02 F6 AB 43 FF");
-const QByteArray modbusSetTicks = hex("01 10 00 17 00 01 02 00 06 25 75");
-
-Settings settingsOfTheSpec()
-{
-    Settings settings;
-    settings.address = 1;
-    settings.version = QStringLiteral("v2.11");
-    settings.revision.number = 199;
-    settings.serialNumber = 1887;
-    settings.baud = 9600;
-    settings.name = QStringLiteral("NO NAME");
-    settings.offset = Tilt{5.125, -10.5};
-    settings.ticks = 32;
-    settings.period = 50ms;
-    return settings;
-}
-
-/// What the sensor of the spec is asked after its version, up to its offset.
-void expectMiddle(FakeLine &line, qsizetype pieces = 100)
-{
-    line.expectInPieces(hex("7E 9C 0A 01 97 7E"), hex("7E 9C 0A 01 C7 00 50 7E"), pieces);
-    line.expectInPieces(hex("7E 9C 0B 01 96 7E"), hex("7E 9C 0B 01 5F 07 00 00 CE 7E"), pieces);
-    line.expectInPieces(hex("7E 9C 01 01 9C 7E"), hex("7E 9C 01 01 04 98 7E"), pieces);
-    line.expectInPieces(hex("7E 9C 03 01 9E 7E"), hex("7E 9C 03 01 4E 4F 20 4E 41 4D 45 B8 7E"), pieces);
-    line.expectInPieces(askTicks, ticks32, pieces);
-    line.expectInPieces(hex("7E 9C 0E 01 93 7E"), hex("7E 9C 0E 01 02 91 7E"), pieces);
-}
-
-void expectThrice(FakeLine &line, const QByteArray &request, const QByteArray &answer)
-{
-    line.expect(request, answer).expect(request, answer).expect(request, answer);
-}
-
-bool isClean(const FakeLine &line)
-{
-    return line.isDone() && line.complaints().isEmpty();
-}
-
-Changes ticksOnly(int ticks)
-{
-    Changes changes;
-    changes.ticks = ticks;
-    return changes;
-}
-
-} // namespace
 
 void TstInd3Service::reads211()
 {
@@ -380,98 +284,6 @@ void TstInd3Service::exceptionIsFinal()
     line.expect(modbusSetTicks, hex("01 90 03 0C 01"));
     const auto outcomes = modbusService.write(line, 1, ticksOnly(64));
     QVERIFY(!outcomes.at(0).written && outcomes.at(0).written.fault() == Fault::Refused);
-    QVERIFY(isClean(line));
-}
-
-void TstInd3Service::changesAddress()
-{
-    FakeLine line;
-    expectThrice(line, askTilt2, silence);
-    line.expect(setAddress2, addressSet).expect(askTilt2, tilt2).expect(askTilt1, silence);
-    QVERIFY(service.changeAddress(line, 1, 2));
-    QVERIFY(isClean(line));
-}
-
-/// The answer may come from either address.
-void TstInd3Service::changesAddressModbus()
-{
-    for (const QByteArray &answer : {hex("01 10 00 19 00 01 D0 0E"), hex("02 10 00 19 00 01 D0 3D")}) {
-        FakeLine line;
-        expectThrice(line, modbusAskTilt2, silence);
-        line.expect(hex("01 10 00 19 00 01 02 00 02 25 98"), answer).expect(modbusAskTilt2, modbusTilt2);
-        line.expect(hex("01 04 00 00 00 04 F1 C9"), silence);
-        QVERIFY(modbusService.changeAddress(line, 1, 2));
-        QVERIFY(isClean(line));
-    }
-}
-
-void TstInd3Service::takenAddress_data()
-{
-    QTest::addColumn<QByteArrayList>("answers");
-    QTest::newRow("by a sensor") << QByteArrayList{tilt2};
-    QTest::newRow("by one whose answer was lost") << QByteArrayList{silence, silence, tilt2};
-    QTest::newRow("by two at once") << QByteArrayList{broken, broken, broken};
-}
-
-void TstInd3Service::takenAddress()
-{
-    QFETCH(QByteArrayList, answers);
-    FakeLine line;
-    for (const QByteArray &answer : std::as_const(answers)) {
-        line.expect(askTilt2, answer);
-    }
-    QVERIFY(service.changeAddress(line, 1, 2).fault() == Fault::Refused);
-    QVERIFY(isClean(line));
-}
-
-void TstInd3Service::lostAnswerOfTheNewAddress()
-{
-    FakeLine line;
-    expectThrice(line, askTilt2, silence);
-    line.expect(setAddress2, silence).expect(askTilt2, silence);
-    line.expect(setAddress2, silence).expect(askTilt2, tilt2);
-    line.expect(askTilt1, tilt1).expect(askTilt1, silence); // a late answer from where it was
-    QVERIFY(service.changeAddress(line, 1, 2));
-    QVERIFY(isClean(line));
-}
-
-void TstInd3Service::atNeither()
-{
-    FakeLine line;
-    expectThrice(line, askTilt2, silence);
-    for (int i = 0; i < 3; ++i) {
-        line.expect(setAddress2, silence).expect(askTilt2, silence);
-    }
-    line.expect(askTilt1, silence);
-    QVERIFY(service.changeAddress(line, 1, 2).fault() == Fault::Timeout);
-    QVERIFY(isClean(line));
-    QVERIFY(line.elapsed() <= 2100ms);
-}
-
-void TstInd3Service::stillAtTheOldOne()
-{
-    FakeLine line;
-    expectThrice(line, askTilt2, silence);
-    for (int i = 0; i < 3; ++i) {
-        line.expect(setAddress2, silence).expect(askTilt2, silence);
-    }
-    expectThrice(line, askTilt1, tilt1);
-    QVERIFY(service.changeAddress(line, 1, 2).fault() == Fault::BadReply);
-    QVERIFY(isClean(line));
-}
-
-/// Protocol 2.10 can be asked for its angles and for nothing else.
-void TstInd3Service::oldProtocol()
-{
-    const Service old(timing(), Dialect::V210);
-    FakeLine line;
-    line.expect(hex("7E 9A 01 01 FE 7E"), hex("E2 7C 00 72 32 81 7D"));
-    line.expect(hex("7E 9A 01 01 FE 7E"), hex("E2 7C 00 72 32 81 7D"));
-    QVERIFY(old.probe(line, 1));
-    QCOMPARE(*old.readTilt(line, 1), (Tilt{-306.4453125, 124.8828125}));
-    QVERIFY(old.read(line, 1).fault() == Fault::Refused);
-    QVERIFY(old.write(line, 1, ticksOnly(64)).at(0).written.fault() == Fault::Refused);
-    QVERIFY(old.changeAddress(line, 1, 2).fault() == Fault::Refused);
     QVERIFY(isClean(line));
 }
 

@@ -60,6 +60,12 @@ public:
     }
 
     QString name() const { return m_name; }
+    speed_t speed() const
+    {
+        termios settings{};
+        ::tcgetattr(m_slave, &settings);
+        return ::cfgetospeed(&settings);
+    }
 
 private:
     void run()
@@ -118,6 +124,23 @@ private Q_SLOTS:
         const CpuShare share;
         QTest::qWait(300);
         QVERIFY(!share.spins());
+    }
+
+    /// As when the adapter is lost while a device is looked for at other settings.
+    void openedAgainAsConfigured()
+    {
+        Tty tty;
+        LineConfig config;
+        config.baudRate = 9600;
+        SerialLine line(tty.name(), config, 100ms);
+        QVERIFY(line.open());
+        QVERIFY(line.setPort({115200, Parity::None, StopBits::One}));
+        QCOMPARE(tty.speed(), speed_t{B115200});
+        line.close();
+        QVERIFY(line.setPort({9600, Parity::None, StopBits::One}).fault() == Fault::Closed);
+        QVERIFY(line.open());
+        QCOMPARE(tty.speed(), speed_t{B9600});
+        QCOMPARE(line.port()->baudRate, 9600);
     }
 
     void serialPortThatVanishesBetweenTurnsIsClosed()

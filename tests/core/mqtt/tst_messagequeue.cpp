@@ -5,6 +5,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/fsuid.h>
+#include <unistd.h>
+
 using namespace gorizont;
 using namespace gorizont::test;
 using namespace std::chrono_literals;
@@ -110,6 +113,8 @@ private Q_SLOTS:
     void everythingComesAgainWithoutAMark_data();
     void everythingComesAgainWithoutAMark();
     void acknowledgedFilesAreRemoved();
+    void whatFollowsTheAcknowledgedIsWhole();
+    void fileOfAnotherUserIsRead();
     void tornTailOfAnyLengthCostsOneMessage();
     void tornTailIsFollowedByWholeMessages();
     void damageInTheMiddleCostsNoMoreThanItHit();
@@ -207,6 +212,40 @@ void TestMessageQueue::acknowledgedFilesAreRemoved()
     QCOMPARE(bench.fileNames().size(), 1);
     QCOMPARE(bench.queue->waiting(), 0U);
     QCOMPARE(bench.queue->lost(), 0U);
+}
+
+/// The last file stays, and goes on after a start at which nothing in it was wanted.
+void TestMessageQueue::whatFollowsTheAcknowledgedIsWhole()
+{
+    Bench bench;
+    bench.append(100);
+    QCOMPARE(bench.takeAll(), numbers(5000, 5099));
+    bench.queue->acknowledge(5099);
+    bench.start();
+    QCOMPARE(bench.takeAll(), QList<quint64>());
+    bench.append(3);
+    QCOMPARE(bench.takeAll(), numbers(5100, 5102));
+    QCOMPARE(bench.queue->lost(), 0U);
+    QCOMPARE(bench.told, QStringList());
+}
+
+/// What a run as root left behind is sent, and new messages go into a file of their own.
+void TestMessageQueue::fileOfAnotherUserIsRead()
+{
+    Bench bench;
+    bench.append(3);
+    bench.queue.reset();
+    QVERIFY(QFile::setPermissions(bench.pathOf(0), QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther));
+    const auto everybody = QFile::Permissions(0x7777);
+    QVERIFY(QFile::setPermissions(bench.folder.path(), everybody));
+    QVERIFY(QFile::setPermissions(bench.folder.filePath(QStringLiteral("Mqtt")), everybody));
+    const auto owner = static_cast<uid_t>(::setfsuid(::geteuid() == 0 ? 65534 : ::geteuid())); // root may write all
+    const auto back = qScopeGuard([owner] { ::setfsuid(owner); });
+    bench.start();
+    bench.append(2);
+    QCOMPARE(bench.takeAll(), numbers(5000, 5004));
+    bench.start();
+    QCOMPARE(bench.takeAll(), numbers(5000, 5004));
 }
 
 void TestMessageQueue::tornTailOfAnyLengthCostsOneMessage()

@@ -82,4 +82,21 @@ private:
     int m_fd;
 };
 
+/// A second descriptor of the server's end of the one connection to \a port, as a process has that was started while the
+/// client was connected; −1: there is no such connection in this process.
+inline int holdServerEnd(quint16 port)
+{
+    for (int fd = 3; fd < 1024; ++fd) {
+        sockaddr_in own{};
+        sockaddr_in other{};
+        socklen_t ownSize = sizeof own;
+        socklen_t otherSize = sizeof other;
+        if (::getsockname(fd, reinterpret_cast<sockaddr *>(&own), &ownSize) == 0 && own.sin_port == htons(port)
+            && ::getpeername(fd, reinterpret_cast<sockaddr *>(&other), &otherSize) == 0) {
+            return ::dup(fd);
+        }
+    }
+    return -1;
+}
+
 } // namespace gorizont::test

@@ -78,6 +78,27 @@ class TestClientDeskHostile : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The socket lives on after we have closed it, and so does what the system says about it.
+    void forgetsAClientWhoseSocketIsHeldElsewhere()
+    {
+        ClientDesk desk(toyService(), {});
+        QVERIFY(desk.open(loopback(), 0));
+        RawSocket client;
+        QVERIFY(client.connect(desk.port()));
+        QTRY_COMPARE(desk.clients().size(), 1);
+        const int held = holdServerEnd(desk.port());
+        QVERIFY(held >= 0);
+        client.close();
+        QTRY_COMPARE(desk.clients().size(), 0);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        const CpuShare share;
+        QTest::qWait(500); // what the socket still says must reach nobody and keep nobody busy
+        QVERIFY(!share.spins());
+        ::close(held);
+        TestClient other(desk.port());
+        QCOMPARE(other.ask(request, 45).size(), 45);
+    }
+
     void dropsAClientThatNeverReads()
     {
         DeskConfig config;

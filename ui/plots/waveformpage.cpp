@@ -1,0 +1,212 @@
+#include "ui/plots/waveformpage.h"
+
+#include "ui/models/colours.h"
+#include "ui/plots/curvestyle.h"
+#include "ui/plots/plotlook.h"
+#include "ui/plots/plottext.h"
+#include "ui/plots/plottime.h"
+#include "ui/plots/plotting.h"
+#include "ui/plots/timeticker.h"
+
+#include <QComboBox>
+#include <QFuture>
+#include <QPromise>
+#include <QThreadPool>
+#include <QToolBar>
+
+#include <limits>
+
+namespace gorizont {
+
+namespace {
+
+constexpr int mostPeaks = 3;
+constexpr int fullRate = 0;
+
+using Analyses = std::pair<WaveformAnalysis, WaveformAnalysis>;
+
+WaveformAnalysis analysisOf(const Series &series, const TimeSpan &seen, const SpectrumSettings &settings)
+{
+    const SampleStretches samples = sampleStretches(trimmed(series, seen));
+    WaveformAnalysis analysis{spectrum(samples.stretches, samples.rate, settings), {}};
+    analysis.peaks = peaks(analysis.spectrum, mostPeaks);
+    return analysis;
+}
+
+QFuture<Analyses> analysed(const Series &x, const Series &y, const TimeSpan &seen, const SpectrumSettings &settings)
+{
+    auto promise = std::make_shared<QPromise<Analyses>>();
+    promise->start();
+    QFuture<Analyses> future = promise->future();
+    QThreadPool::globalInstance()->start([promise, x, y, seen, settings] {
+        promise->addResult(Analyses{analysisOf(x, seen, settings), analysisOf(y, seen, settings)});
+        promise->finish();
+    });
+    return future;
+}
+
+} // namespace
+
+WaveformPage::WaveformPage(SensorRegistry &registry, SeriesSource source, QWidget *parent, SeriesFeed::Clock clock)
+    : SpanPage(registry, std::move(source), {Quantity::SampleX, Quantity::SampleY}, fullRate, parent, std::move(clock))
+    , m_content(new QWidget(this))
+    , m_wave(new QCustomPlot(m_content))
+    , m_lines(new QCustomPlot(m_content))
+{
+    buildPlots();
+    buildChoices();
+    auto *rows = new QVBoxLayout(m_content);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(m_wave, 1);
+    rows->addWidget(m_lines, 1);
+    setContent(
+        m_content, tr("No sensor of the configuration measures accelerations."),
+        tr("There are no samples in this span. Choose a longer span or another sensor."));
+}
+
+void WaveformPage::buildPlots()
+{
+    m_wave->setObjectName(QStringLiteral("wavePlot"));
+    m_wave->setAccessibleName(tr("Samples"));
+    m_lines->setObjectName(QStringLiteral("spectrumPlot"));
+    m_lines->setAccessibleName(tr("Spectrum"));
+    m_wave->xAxis->setTicker(QSharedPointer<TimeTicker>::create());
+    const QString unit = plottext::unitOf(ValueAxis::Acceleration, TiltUnit::Degrees);
+    m_wave->yAxis->setLabel(plottext::axisTitle(ValueAxis::Acceleration, TiltUnit::Degrees));
+    m_lines->xAxis->setLabel(tr("Frequency, Hz"));
+    m_lines->yAxis->setLabel(tr("Amplitude, %1").arg(unit));
+    for (QCustomPlot *plot : {m_wave, m_lines}) {
+        plot->setPlottingHints(QCP::PlottingHints(QCP::phFastPolylines) | QCP::phCacheLabels);
+        plot->legend->setVisible(true);
+        for (const Quantity quantity : {Quantity::SampleX, Quantity::SampleY}) {
+            const CurveStyle style = curveStyle(quantity == Quantity::SampleX ? 0 : 1, colours::isDark(palette()));
+            QCPGraph *graph = plot->addGraph();
+            graph->setName(plottext::quantity(quantity));
+            graph->setPen(QPen(style.colour, 1, style.line));
+        }
+        plotlook::dress(*plot);
+    }
+}
+
+void WaveformPage::buildChoices()
+{
+    auto *windows = new QComboBox(bar());
+    windows->setObjectName(QStringLiteral("spectrumWindow"));
+    windows->setToolTip(tr("Window of the spectrum"));
+    windows->addItem(tr("Hann"), int(SpectrumWindow::Hann));
+    windows->addItem(tr("Hamming"), int(SpectrumWindow::Hamming));
+    windows->addItem(tr("Blackman-Harris"), int(SpectrumWindow::BlackmanHarris));
+    windows->addItem(tr("no window"), int(SpectrumWindow::Rectangular));
+    auto *lengths = new QComboBox(bar());
+    lengths->setObjectName(QStringLiteral("spectrumLength"));
+    lengths->setToolTip(
+        tr("Samples of a segment: more give finer lines, fewer are averaged oftener and calm the noise"));
+    for (const int length : {128, 256, 512, 1024, 2048, 4096, 8192, 16384}) {
+        lengths->addItem(tr("%1 samples").arg(length), length);
+    }
+    lengths->setCurrentIndex(lengths->findData(1024));
+    m_settings.length = 1024;
+    bar()->addSeparator();
+    bar()->addWidget(windows);
+    bar()->addWidget(lengths);
+    connect(windows, &QComboBox::currentIndexChanged, this, [this, windows] {
+        m_settings.window = static_cast<SpectrumWindow>(windows->currentData().toInt());
+        analyse();
+    });
+    connect(lengths, &QComboBox::currentIndexChanged, this, [this, lengths] {
+        m_settings.length = lengths->currentData().toInt();
+        analyse();
+    });
+}
+
+void WaveformPage::drawSamples(QCPGraph *graph, const Series &series)
+{
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    QVector<QCPGraphData> points;
+    points.reserve(series.buckets.size());
+    auto gap = series.gaps.cbegin();
+    for (const SeriesBucket &bucket : series.buckets) {
+        for (; gap != series.gaps.cend() && gap->from <= bucket.from; ++gap) {
+            points.append({toKey(gap->from), nothing});
+        }
+        points.append({toKey(bucket.from), bucket.valid > 0 ? bucket.mean : nothing});
+    }
+    graph->data()->set(points);
+}
+
+void WaveformPage::draw()
+{
+    m_wave->xAxis->setRange(toKey(span().from), toKey(span().to));
+    const Series x = first();
+    const Series y = second();
+    if (x != m_x || y != m_y) {
+        m_x = x;
+        m_y = y;
+        drawSamples(m_wave->graph(0), m_x);
+        drawSamples(m_wave->graph(1), m_y);
+        m_wave->yAxis->rescale();
+        m_wave->yAxis->scaleRange(1.1);
+        analyse();
+    }
+    m_wave->replot(QCustomPlot::rpQueuedReplot);
+    setNote(m_note);
+}
+
+void WaveformPage::analyse()
+{
+    const int question = ++m_question;
+    analysed(m_x, m_y, span(), m_settings).then(this, [this, question](const Analyses &result) {
+        if (question == m_question) {
+            showAnalysis(result.first, result.second);
+        }
+    });
+}
+
+void WaveformPage::drawSpectrum(QCPGraph *graph, const Spectrum &spectrum)
+{
+    QVector<QCPGraphData> points;
+    for (qsizetype line = 1; line < spectrum.amplitude.size(); ++line) {
+        points.append({static_cast<double>(line) * spectrum.resolution, spectrum.amplitude.at(line)});
+    }
+    graph->data()->set(points, true);
+}
+
+void WaveformPage::showAnalysis(const WaveformAnalysis &x, const WaveformAnalysis &y)
+{
+    m_lines->clearItems();
+    drawSpectrum(m_lines->graph(0), x.spectrum);
+    drawSpectrum(m_lines->graph(1), y.spectrum);
+    QStringList found;
+    double highest = 0; // a peak may lie between two lines, above both
+    for (int axis = 0; axis < 2; ++axis) {
+        QStringList frequencies;
+        for (const SpectrumPeak &peak : (axis == 0 ? x : y).peaks) {
+            auto *label = new QCPItemText(m_lines);
+            label->position->setCoords(peak.frequency, peak.amplitude);
+            highest = std::max(highest, peak.amplitude);
+            label->setPositionAlignment(Qt::AlignBottom | Qt::AlignHCenter);
+            label->setText(QString::number(peak.frequency, 'f', 3));
+            label->setColor(m_lines->graph(axis)->pen().color());
+            frequencies +=
+                tr("%1 Hz (%2)").arg(QString::number(peak.frequency, 'f', 3), QString::number(peak.amplitude, 'f', 2));
+        }
+        if (!frequencies.isEmpty()) {
+            found += QStringLiteral("%1: %2").arg(m_lines->graph(axis)->name(), frequencies.join(QStringLiteral(", ")));
+        }
+    }
+    m_lines->rescaleAxes();
+    m_lines->xAxis->setRangeLower(0);
+    m_lines->yAxis->setRangeLower(0);
+    m_lines->yAxis->setRangeUpper(std::max(m_lines->yAxis->range().upper, highest) * 1.15);
+    m_lines->replot(QCustomPlot::rpQueuedReplot);
+    m_note = x.spectrum.segments == 0
+        ? tr("Too few samples for a spectrum.")
+        : tr("Segments averaged: %1, a line every %2 Hz. %3")
+              .arg(
+                  QString::number(x.spectrum.segments), QString::number(x.spectrum.resolution, 'f', 4),
+                  found.isEmpty() ? tr("No frequency stands out.") : found.join(QStringLiteral("; ")));
+    setNote(m_note);
+}
+
+} // namespace gorizont
