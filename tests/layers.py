@@ -35,7 +35,9 @@ ROOMS = {
     "ui/service": [
         "ui", "core/values", "core/config", "core/registry", "core/engine/lineworker.h", "core/devices/addressscan.h",
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
-        "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h",
+        "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h", "core/devices/usmisn/usmisnfetch.h",
+        "core/devices/usmisn/usmisnrecords.h", "core/devices/usmisn/usmisnservice.h", "core/devices/usmisn/usmisnvalues.h",
+        "core/files/wholefile.h",
     ],
     "ui/history": ["ui", "core/values", "core/registry", "core/export"],
     "ui": [

@@ -48,8 +48,9 @@ public:
 
     void select(SiteItem item);
 
-    /// Service menus and windows for the ports that \a worker knows. Its workers outlive the window.
-    void offerService(const WorkerOfPort &worker, Journal &journal);
+    /// Service menus and windows for the ports that \a worker knows. Its workers outlive the window. \a keep: where records
+    /// of devices go.
+    void offerService(const WorkerOfPort &worker, Journal &journal, const KeepRecords &keep = {});
 
     /// One more tab above, for \a page that needs the whole height; the window owns it from now on.
     void addWidePage(QWidget *page, const QString &title, const QKeySequence &key);

@@ -143,9 +143,9 @@ int MainWindow::selectedLine() const
     return -1;
 }
 
-void MainWindow::offerService(const WorkerOfPort &worker, Journal &journal)
+void MainWindow::offerService(const WorkerOfPort &worker, Journal &journal, const KeepRecords &keep)
 {
-    m_service = std::make_unique<ServiceDesk>(m_config, m_registry, journal, worker, this);
+    m_service = std::make_unique<ServiceDesk>(m_config, m_registry, journal, worker, keep, this);
     if (!m_service->isOffered()) {
         return;
     }

@@ -96,6 +96,11 @@ ArchiveReader &Application::archive()
     return m_archive->reader();
 }
 
+std::function<void(const DeviceRecords &)> Application::recordSink()
+{
+    return m_archive->recordSink();
+}
+
 void Application::makeHistory()
 {
     m_history = std::make_unique<HistoryWriter>(historyConfig(m_settings));

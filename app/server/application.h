@@ -4,11 +4,13 @@
 #include "core/alarms/alarmwatch.h"
 #include "core/config/serverconfig.h"
 #include "core/net/clientinfo.h"
+#include "core/values/devicerecord.h"
 
 #include <QModbusDevice>
 #include <QObject>
 #include <QThread>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -49,6 +51,8 @@ public:
     AlarmWatch &alarms() { return m_alarms; }
     /// What the archive answers, also while another copy of the program writes it.
     ArchiveReader &archive();
+    /// Where records go that were downloaded from devices; empty: no archive is written here. Not to be called after the end.
+    std::function<void(const DeviceRecords &)> recordSink();
     /// The worker of section [Port\a port]; null when the port is off.
     LineWorker *worker(int port) const { return m_acquisition.worker(port); }
     /// Opens ports that wait and asks sensors that are parked, at once.

@@ -37,6 +37,15 @@ void Archive::makeWriter(const ArchiveConfig &config, const Site &site)
     connect(&m_thread, &QThread::finished, writer, &ArchiveWriter::stop, Qt::DirectConnection);
 }
 
+/// The slot only leaves the records in an inbox of bounded size.
+std::function<void(const DeviceRecords &)> Archive::recordSink()
+{
+    if (!m_writer) {
+        return {};
+    }
+    return [writer = m_writer.get()](const DeviceRecords &records) { writer->appendRecords(records); };
+}
+
 void Archive::start()
 {
     if (m_writer) {

@@ -32,6 +32,9 @@ public:
 
     ArchiveReader &reader() { return m_reader; }
 
+    /// What a service window downloaded; empty: nobody writes the archive here.
+    std::function<void(const DeviceRecords &)> recordSink();
+
     void start();
     void stop() { m_thread.quit(); }
     /// After stop(). False: the writer did not end in time.

@@ -101,7 +101,8 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     MainWindow window(
         application.registry(), application.journal(), application.alarms(), site.reading.config,
         site.reading.complaints);
-    window.offerService([&application](int port) { return application.worker(port); }, application.journal());
+    window.offerService(
+        [&application](int port) { return application.worker(port); }, application.journal(), application.recordSink());
     addWindowPages(window, {application.registry(), application.archive(), site.reading.config, site.dataFolder});
     const TrayIcon tray(window, application.registry(), application.alarms());
     QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);

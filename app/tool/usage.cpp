@@ -93,6 +93,8 @@ void describeUsage(QCommandLineParser &parser)
     add(u"channel"_s, Text::tr("usm value, usm records: 1 is X, 2 is Y."), u"1|2"_s);
     add(u"store"_s, Text::tr("usm value: the device keeps the measurement with the time of now."));
     add(u"mask"_s, Text::tr("usm records: all (if not given), or those not yet read."), u"ALL|NEW"_s);
+    add(u"csv"_s, Text::tr("usm records: the table that is written; one that is there is continued, each record once."),
+        u"FILE"_s);
     add(u"start-in"_s, Text::tr("usm start-cycle: seconds to the first measurement; 10 if not given."), u"S"_s);
     add(u"delay"_s, Text::tr("usm start-cycle: seconds before each measurement, 0…600; 0 if not given."), u"S"_s);
     add(u"yes"_s, Text::tr("Writes without asking."));

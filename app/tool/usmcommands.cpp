@@ -1,11 +1,13 @@
 #include "app/tool/usmcommands.h"
 
 #include "app/tool/output.h"
+#include "app/tool/recordtable.h"
 #include "app/tool/scancommand.h"
 #include "app/tool/terminal.h"
 #include "app/tool/text.h"
 #include "app/tool/usmtext.h"
 #include "app/tool/usmwrite.h"
+#include "core/devices/usmisn/usmisnfetch.h"
 #include "core/devices/usmisn/usmisnrecords.h"
 #include "core/devices/usmisn/usmisnservice.h"
 
@@ -114,36 +116,46 @@ ExitCode value(Session &session)
     return code;
 }
 
-/// One channel: what New has marked as read and lost on the way is asked for again with All.
-Result<void> fetch(Session &session, const Service &service, int channel, RecordBook &book)
+/// What New has marked as read and lost on the way is asked for again with All. Empty: a record could not be written.
+std::optional<Result<void>> fetch(Session &session, RecordBook &book, RecordTable &table)
 {
+    const Service service = serviceOf(session);
     const UsmOptions &usm = session.options().usm;
-    RecordMask mask = usm.mask;
-    Result<void> done = Fault::Timeout;
-    for (int attempt = 0; attempt < mostAttempts && !done && isWorthAnother(done.fault()); ++attempt) {
-        done = service.records(
-            session.line(), session.options().address, usm.count, mask, channel, [&](const Value &record) {
+    bool isWritten = true;
+    RecordFetch fetch(usm.mask, wantedChannels(session));
+    while (!fetch.isOver()) {
+        fetch.record(service.records(
+            session.line(), session.options().address, usm.count, fetch.mask(), fetch.channel(),
+            [&](const Value &record) {
                 if (book.add(record)) {
+                    isWritten = !table.isOpen() || table.add(record);
                     tellValue(session, record);
                     showProgress(Text::tr("%n record(s)", nullptr, static_cast<int>(book.size())));
                 }
-                return true;
-            });
-        mask = RecordMask::All;
+                return isWritten;
+            }));
     }
-    return done;
+    return isWritten ? std::optional(fetch.result()) : std::nullopt;
 }
 
 ExitCode records(Session &session)
 {
-    const Service service = serviceOf(session);
     RecordBook book;
-    for (const int channel : wantedChannels(session)) {
-        if (const auto done = fetch(session, service, channel, book); !done) {
-            return session.fail(done.fault(), session.options().address);
+    RecordTable table;
+    const int address = session.options().address;
+    if (const QString file = session.options().usm.csvFile; !file.isEmpty()) {
+        if (const QString problem = table.open(file); !problem.isEmpty()) {
+            return session.fail(Fault::Refused, problem, session.object(address));
         }
     }
+    const auto done = fetch(session, book, table);
     showProgress({});
+    if (!done) {
+        return session.fail(Fault::Refused, table.error(), session.object(address));
+    }
+    if (!*done) {
+        return session.fail(done->fault(), address);
+    }
     if (!session.options().isJson) {
         complain(
             Text::tr("%n record(s)", nullptr, static_cast<int>(book.size())) + u"; "_s
@@ -176,7 +188,7 @@ QList<Command> table()
          .runUsm = value,
          .description = Text::tr("measures now, about 1.5 s a channel")},
         {.name = u"usm records"_s,
-         .options = {u"channel"_s, u"mask"_s, u"count"_s},
+         .options = {u"channel"_s, u"mask"_s, u"count"_s, u"csv"_s},
          .runUsm = records,
          .description = Text::tr("prints the records of the device; up to some minutes at 9600")},
         {.name = u"usm start-cycle"_s,

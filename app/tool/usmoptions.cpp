@@ -95,6 +95,10 @@ QString readUsmOptions(
     } else if (name == u"usm find") {
         problems.append(readSerial(arguments.at(0), options));
     }
+    options.csvFile = parser.value(u"csv"_s);
+    if (parser.isSet(u"csv"_s) && options.csvFile.isEmpty()) {
+        problems.append(Text::tr("--%1 takes %2, not \"%3\"").arg(u"csv"_s, u"FILE"_s, options.csvFile));
+    }
     options.isStored = parser.isSet(u"store"_s);
     problems.removeAll(QString());
     return problems.isEmpty() ? QString() : problems.constFirst();

@@ -15,6 +15,7 @@ struct UsmOptions
     bool isStored = false;
     usmisn::RecordMask mask = usmisn::RecordMask::All;
     int count = 0; ///< of the last records; 0: all
+    QString csvFile; ///< of records; empty: none
     std::chrono::seconds startIn{10};
     std::chrono::seconds period{3600};
     std::chrono::seconds delay{0};

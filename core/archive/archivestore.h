@@ -3,6 +3,7 @@
 #include "core/archive/archivedatabase.h"
 #include "core/archive/chunkkind.h"
 #include "core/archive/spoolfile.h"
+#include "core/values/devicerecord.h"
 #include "core/values/gap.h"
 #include "core/values/journalentry.h"
 
@@ -11,16 +12,6 @@
 #include <optional>
 
 namespace gorizont {
-
-/// A record that a device kept itself.
-struct DeviceRecord
-{
-    int number = 0; ///< N
-    UtcTime start; ///< by the clock of the device
-    QString name; ///< what it is: the kind, or the name in the device
-    QByteArray data;
-    bool operator==(const DeviceRecord &) const = default;
-};
 
 /// What the tables say of one sensor.
 struct KnownSensor

@@ -51,6 +51,11 @@ void ArchiveWriter::appendJournal(const JournalEntry &entry)
     m_inbox.put(entry);
 }
 
+void ArchiveWriter::appendRecords(const DeviceRecords &records)
+{
+    m_records.put(records);
+}
+
 void ArchiveWriter::start()
 {
     flush();
@@ -74,6 +79,7 @@ void ArchiveWriter::flush()
     takeInbox(now);
     if (m_recorder.commit(now)) {
         succeeded();
+        (void)m_records.write(m_recorder.store()); // what waits is tried again with the next commit
         salvage();
         sweep(now);
     } else {
@@ -120,6 +126,11 @@ void ArchiveWriter::stop()
     }
     if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
         failed();
+    }
+    if (!m_records.write(m_recorder.store()) && m_records.waiting() > 0) {
+        note(
+            JournalKind::Error,
+            tr("%1 records of devices are not in the archive. Download all of them again.").arg(m_records.waiting()));
     }
     m_recorder.close();
 }

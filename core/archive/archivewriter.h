@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/archive/archiverecorder.h"
+#include "core/archive/recordkeeper.h"
 #include "core/archive/retention.h"
 
 #include <QObject>
@@ -29,6 +30,8 @@ public Q_SLOTS:
     void updateLine(const gorizont::LineStatus &status);
     void appendBlock(const gorizont::SampleBlock &block);
     void appendJournal(const gorizont::JournalEntry &entry);
+    /// What a service window downloaded from a device.
+    void appendRecords(const gorizont::DeviceRecords &records);
 
     /// Opens the store, and commits every commitInterval.
     void start();
@@ -54,7 +57,8 @@ private:
 
     const ArchiveConfig m_config;
     const Clock m_clock;
-    ArchiveInbox m_inbox; ///< the only member that other threads touch
+    ArchiveInbox m_inbox; ///< with m_records all that other threads touch
+    RecordKeeper m_records;
     ArchiveRecorder m_recorder;
     Retention m_retention;
     SteadyTime m_sweepAt; ///< the next time

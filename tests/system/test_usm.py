@@ -1,6 +1,8 @@
 """gorizont-tool usm against simulated УСМ-ИСН: what it prints, what it changes, its exit codes."""
 import json
+import pathlib
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -68,6 +70,25 @@ class Usm(unittest.TestCase):
             self.assertEqual(tool(site, "records", "--address", 7, "--mask", "new"), (GOOD, []))
             code, records = tool(site, "records", "--address", 7, "--count", 1, "--channel", 2)
             self.assertEqual((code, [r["measurement"] for r in records]), (GOOD, [2]))
+
+    def test_table_of_records(self):
+        """Written as they come, continued without duplicates, and never over something else."""
+        with Site(INI) as site, tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "deep" / "records.csv"
+            header = "time,timestamp,serial,channel,measurement,value,variation,temperature"
+            self.assertEqual(tool(site, "value", "--address", 7, "--store")[0], GOOD)
+            self.assertEqual(tool(site, "records", "--address", 7, "--mask", "NEW", "--csv", table)[0], GOOD)
+            lines = table.read_bytes().decode().split("\r\n")
+            self.assertEqual((lines[0], lines[3], len(lines)), (header, "", 4))
+            self.assertEqual([line.split(",")[2:5] for line in lines[1:3]], [["01234567", "1", "1"], ["01234567", "2", "2"]])
+            table.write_bytes(table.read_bytes()[:-5])  # what a kill leaves behind
+            self.assertEqual(tool(site, "records", "--address", 7, "--csv", table)[0], GOOD)
+            self.assertEqual(table.read_bytes().decode().split("\r\n"), lines)
+            self.assertEqual(tool(site, "records", "--address", 7, "--csv", table)[0], GOOD)
+            self.assertEqual(table.read_bytes().decode().split("\r\n"), lines)
+            table.write_text("something else\n", encoding="utf-8")
+            self.assertEqual(tool(site, "records", "--address", 7, "--csv", table)[0], REFUSED)
+            self.assertEqual(table.read_text(encoding="utf-8"), "something else\n")
 
     def test_address_and_port(self):
         with Site(INI) as site:

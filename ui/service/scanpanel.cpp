@@ -144,11 +144,18 @@ QList<int> ScanPanel::free() const
     return addresses;
 }
 
+void ScanPanel::add(int address)
+{
+    if (!m_found.contains(address)) {
+        m_found.insert(std::lower_bound(m_found.begin(), m_found.end(), address), address);
+    }
+    refresh();
+}
+
 void ScanPanel::move(int from, int to)
 {
     m_found.removeOne(from);
-    m_found.insert(std::lower_bound(m_found.begin(), m_found.end(), to), to);
-    refresh();
+    add(to);
 }
 
 void ScanPanel::distrust()

@@ -36,6 +36,8 @@ public:
     QList<int> free() const;
     bool isComplete() const { return m_isComplete; }
 
+    /// A sensor was found in another way.
+    void add(int address);
     /// A sensor has a new address.
     void move(int from, int to);
     /// Something is not where the scan found it: no address is to be given away before the next one.

@@ -3,6 +3,7 @@
 #include "ui/service/and3dialog.h"
 #include "ui/service/ind3dialog.h"
 #include "ui/service/servicetext.h"
+#include "ui/service/usmdialog.h"
 
 #include <QAction>
 #include <QMenu>
@@ -15,21 +16,38 @@ namespace gorizont {
 
 namespace {
 
-constexpr std::array serviced{SensorType::InD, SensorType::AnD3};
+constexpr std::array serviced{SensorType::InD, SensorType::AnD3, SensorType::UsmIsn};
 
 QString objectNameOf(SensorType type)
 {
-    return type == SensorType::InD ? QStringLiteral("serviceInD3") : QStringLiteral("serviceAnD3");
+    switch (type) {
+    case SensorType::InD: return QStringLiteral("serviceInD3");
+    case SensorType::UsmIsn: return QStringLiteral("serviceUsm");
+    default: break;
+    }
+    return QStringLiteral("serviceAnD3");
+}
+
+ServiceDialog *makeDialog(SensorType type, const ServicePort &port, QWidget *window)
+{
+    switch (type) {
+    case SensorType::InD: return new Ind3Dialog(port, window);
+    case SensorType::UsmIsn: return new UsmDialog(port, window);
+    default: break;
+    }
+    return new And3Dialog(port, window);
 }
 
 } // namespace
 
 ServiceDesk::ServiceDesk(
-    const ServerConfig &config, SensorRegistry &registry, Journal &journal, WorkerOfPort worker, QWidget *window)
+    const ServerConfig &config, SensorRegistry &registry, Journal &journal, WorkerOfPort worker, KeepRecords keep,
+    QWidget *window)
     : m_config(config)
     , m_registry(registry)
     , m_journal(journal)
     , m_worker(std::move(worker))
+    , m_keep(std::move(keep))
     , m_window(window)
 {
 }
@@ -92,9 +110,9 @@ QString ServiceDesk::objection(SensorType type, int line) const
     if (port.status.state != LineState::Open) {
         return tr("The port is not open.");
     }
-    const auto isInclinometer = [](const SensorConfig &sensor) { return sensor.type == SensorType::InD; };
+    const auto isIt = [type](const SensorConfig &sensor) { return sensor.type == type; };
     const QList<SensorConfig> &sensors = port.config.sensors;
-    if (type == SensorType::InD && std::none_of(sensors.begin(), sensors.end(), isInclinometer)) {
+    if (type != SensorType::AnD3 && std::none_of(sensors.begin(), sensors.end(), isIt)) {
         return tr("There is no %1 in the list of this port.").arg(servicetext::deviceName(type));
     }
     return {};
@@ -151,13 +169,8 @@ void ServiceDesk::openDialog(SensorType type, int line)
     if (!worker) {
         return;
     }
-    const ServicePort port{config, m_config.timing, *worker, m_registry, m_journal};
-    ServiceDialog *dialog = nullptr;
-    if (type == SensorType::InD) {
-        dialog = new Ind3Dialog(port, m_window);
-    } else {
-        dialog = new And3Dialog(port, m_window);
-    }
+    ServiceDialog *dialog =
+        makeDialog(type, {config, m_config.timing, *worker, m_registry, m_journal, m_keep}, m_window);
     m_dialogs[{type, config.index}] = dialog;
     dialog->show();
     dialog->enter();

@@ -22,7 +22,8 @@ class ServiceDesk : public QObject
 public:
     /// Everything outlives the desk; \a window is the parent of the windows.
     ServiceDesk(
-        const ServerConfig &config, SensorRegistry &registry, Journal &journal, WorkerOfPort worker, QWidget *window);
+        const ServerConfig &config, SensorRegistry &registry, Journal &journal, WorkerOfPort worker, KeepRecords keep,
+        QWidget *window);
     ~ServiceDesk() override;
 
     /// ShowAdvanced=1.
@@ -47,6 +48,7 @@ private:
     SensorRegistry &m_registry;
     Journal &m_journal;
     WorkerOfPort m_worker;
+    KeepRecords m_keep;
     QWidget *m_window;
     std::map<std::pair<SensorType, int>, QPointer<ServiceDialog>> m_dialogs;
     QPointer<QMessageBox> m_warning; ///< while it waits for an answer

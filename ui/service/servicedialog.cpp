@@ -60,6 +60,7 @@ void ServiceDialog::endSession()
     m_isEntering = false;
     m_isBusy = false;
     if (m_session) {
+        breakOff();
         m_session->leave();
         m_session->disconnect(this);
         std::exchange(m_session, nullptr)->deleteLater();
@@ -144,11 +145,25 @@ void ServiceDialog::moveTo(int newAddress)
 {
     m_scan->move(m_address, newAddress);
     m_address = newAddress;
+    listFound();
+}
+
+void ServiceDialog::showFoundAt(int address)
+{
+    m_scan->add(address);
+    m_address = address;
+    listFound();
+    showSensor();
+    refresh();
+}
+
+void ServiceDialog::listFound()
+{
     m_addresses->clear();
     for (const int found : m_scan->found()) {
         m_addresses->addItem(QString::number(found), found);
     }
-    m_addresses->setCurrentIndex(m_addresses->findData(newAddress));
+    m_addresses->setCurrentIndex(m_addresses->findData(m_address));
 }
 
 bool ServiceDialog::isReady() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registry/journal.h"
+#include "core/values/devicerecord.h"
 #include "ui/service/scanpanel.h"
 
 #include <QDialog>
@@ -16,6 +17,9 @@ namespace gorizont {
 
 class PortGroup;
 
+/// Takes what was downloaded from a sensor of the site, for good.
+using KeepRecords = std::function<void(const DeviceRecords &)>;
+
 /// One port and who may speak with it. All of it outlives the windows.
 struct ServicePort
 {
@@ -24,6 +28,7 @@ struct ServicePort
     LineWorker &worker;
     SensorRegistry &registry;
     Journal &journal;
+    KeepRecords keep = {}; ///< empty: records of devices are kept nowhere
 };
 
 /// What the service windows of all devices have in common (manual 000, sections 8 and 9): the port, the scan, the list of
@@ -61,6 +66,8 @@ protected:
     virtual void updateControls() = 0;
     /// A scan has ended; the sensor to show is chosen after this.
     virtual void onScanned() {}
+    /// The port is left: a step that runs is to end soon, for polling waits for it.
+    virtual void breakOff() {}
 
     const ServicePort &port() const { return m_port; }
     ScanPanel *scan() const { return m_scan; }
@@ -83,6 +90,8 @@ protected:
     void endWork(bool isGood = true);
     /// The sensor that is shown has moved.
     void moveTo(int newAddress);
+    /// A sensor that was found in another way than by a scan is shown.
+    void showFoundAt(int address);
 
     void say(const QString &text, const QString &more = {}); ///< in the lines at the bottom
     void note(JournalKind kind, int address, const QString &text); ///< in the journal
@@ -94,6 +103,7 @@ private:
     void endSession();
     void start();
     void showFound();
+    void listFound();
     void choose(int index);
     void togglePort();
     void refresh();

@@ -31,7 +31,12 @@ QString fault(Fault fault)
 
 QString deviceName(SensorType type)
 {
-    return modelInRussian(type == SensorType::AnD3 ? QStringLiteral("AN-D3") : QStringLiteral("IN-D3"));
+    switch (type) {
+    case SensorType::AnD3: return modelInRussian(QStringLiteral("AN-D3"));
+    case SensorType::UsmIsn: return modelInRussian(QStringLiteral("USM-ISN"));
+    default: break;
+    }
+    return modelInRussian(QStringLiteral("IN-D3"));
 }
 
 QString menuTitle(SensorType type, const QString &port)

@@ -41,6 +41,33 @@ qint64 RecordBook::missing() const
     return missing;
 }
 
+DeviceRecord deviceRecord(const Value &record, int number)
+{
+    const QString name =
+        QStringLiteral("%1 %2").arg(record.channel.value, 10, 10, QLatin1Char('0')).arg(record.measurement);
+    return {number, UtcTime(std::chrono::seconds(record.timestamp)), name, csv::line(record)};
+}
+
+QList<TimeSpan> coveredBy(const QList<Value> &records)
+{
+    QList<TimeSpan> spans;
+    const Value *last = nullptr;
+    for (const Value &record : records) {
+        const UtcTime time(std::chrono::seconds(record.timestamp));
+        const bool goesOn = last && last->channel.serial() == record.channel.serial()
+            && record.measurement - last->measurement <= 1 && record.timestamp >= last->timestamp
+            && record.timestamp - last->timestamp <= longestPeriod.count();
+        if (goesOn) {
+            spans.last().to = time;
+        } else {
+            spans.append({time, time});
+        }
+        last = &record;
+    }
+    spans.removeIf([](const TimeSpan &span) { return span.from == span.to; });
+    return spans;
+}
+
 namespace csv {
 
 namespace {

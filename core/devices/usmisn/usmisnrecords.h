@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/devices/usmisn/usmisnvalues.h"
+#include "core/values/devicerecord.h"
 
 #include <QList>
 
@@ -17,6 +18,7 @@ public:
 
     qsizetype size() const { return static_cast<qsizetype>(m_records.size()); }
     QList<Value> records() const; ///< by device, by number of measurement, X before Y
+    void clear() { m_records.clear(); }
 
     /// How many numbers are missing between the first and the last measurement known of each device. The counter is that
     /// of the device, so a number that either channel has is not missing.
@@ -33,6 +35,14 @@ private:
 
     std::map<Key, Value> m_records;
 };
+
+/// As the archive keeps \a record of the sensor N \a number: under channel and number of measurement, so that it is there once.
+DeviceRecord deviceRecord(const Value &record, int number);
+
+/// From when to when \a records of one device tell what there was: the numbers follow each other, and there is no more time
+/// between two than between two measurements of a recorder. Ordered like RecordBook::records(). A single one is a moment and
+/// fills nothing.
+QList<TimeSpan> coveredBy(const QList<Value> &records);
 
 /// The records as a table for other programs: RFC 4180 with commas, a point in numbers, UTC in ISO 8601, one record a line.
 namespace csv {

@@ -18,6 +18,9 @@ private Q_SLOTS:
     void table();
     void notOfTheTable_data();
     void notOfTheTable();
+    void forTheArchive();
+    void covers_data();
+    void covers();
 };
 
 namespace {
@@ -134,6 +137,53 @@ void TstUsmisnRecords::notOfTheTable()
 {
     QFETCH(QByteArray, line);
     QVERIFY(!csv::parse(line));
+}
+
+/// Under channel and number, at the time of the device: so that it is there once.
+void TstUsmisnRecords::forTheArchive()
+{
+    const DeviceRecord kept = deviceRecord(record(45612), 7);
+    QCOMPARE(kept.number, 7);
+    QCOMPARE(kept.name, QStringLiteral("0123456701 45612"));
+    QVERIFY(kept.start == UtcTime(std::chrono::seconds(1483267255)));
+    QCOMPARE(kept.data, QByteArray("2017-01-01T10:40:55Z,1483267255,01234567,1,45612,-2.48289,0.00860,26.33\r\n"));
+}
+
+void TstUsmisnRecords::covers_data()
+{
+    QTest::addColumn<QList<qint64>>("seconds"); ///< of the measurements
+    QTest::addColumn<QList<int>>("numbers");
+    QTest::addColumn<QList<qint64>>("spans"); ///< from, to, from, to, …
+    using Times = QList<qint64>;
+    using Numbers = QList<int>;
+    QTest::newRow("nothing") << Times{} << Numbers{} << Times{};
+    QTest::newRow("a moment") << Times{1000} << Numbers{1} << Times{};
+    QTest::newRow("a run") << Times{1000, 1900, 2800} << Numbers{1, 2, 3} << Times{1000, 2800};
+    QTest::newRow("a number is missing") << Times{1000, 1900, 3700, 4600} << Numbers{1, 2, 4, 5}
+                                         << Times{1000, 1900, 3700, 4600};
+    QTest::newRow("twelve hours") << Times{1000, 44200} << Numbers{1, 2} << Times{1000, 44200};
+    QTest::newRow("more than a recorder pauses") << Times{1000, 44201} << Numbers{1, 2} << Times{};
+    QTest::newRow("a clock set back") << Times{5000, 1000, 1900} << Numbers{1, 2, 3} << Times{1000, 1900};
+}
+
+void TstUsmisnRecords::covers()
+{
+    QFETCH(QList<qint64>, seconds);
+    QFETCH(QList<int>, numbers);
+    QFETCH(QList<qint64>, spans);
+    QList<Value> records;
+    for (qsizetype i = 0; i < seconds.size(); ++i) {
+        Value value = record(static_cast<quint32>(numbers.at(i)), 1 + static_cast<int>(i) % 2);
+        value.timestamp = seconds.at(i);
+        records.append(value);
+    }
+    QList<qint64> covered;
+    for (const TimeSpan &span : coveredBy(records)) {
+        for (const UtcTime time : {span.from, span.to}) {
+            covered.append(std::chrono::floor<std::chrono::seconds>(time.time_since_epoch()).count());
+        }
+    }
+    QCOMPARE(covered, spans);
 }
 
 QTEST_GUILESS_MAIN(TstUsmisnRecords)
