@@ -26,7 +26,7 @@ public:
         QList<SeriesKey> keys;
         UtcTime from;
         UtcTime to;
-        int width = 0; ///< pixels of from … to
+        int width = 0; ///< pixels of from … to; 0: full rate
         bool operator==(const Wish &) const = default;
     };
 

@@ -9,15 +9,8 @@ class QCustomPlot;
 
 namespace gorizont {
 
-/// Everything that is computed of the samples of one axis.
-struct WaveformAnalysis
-{
-    Spectrum spectrum;
-    QList<SpectrumPeak> peaks; ///< the strongest first
-};
-
-/// The page <Ускорения>: the samples of an accelerometer, the spectrum of both axes and its strongest frequencies. It is
-/// computed on a thread of the global pool. GUI thread.
+/// The page <Колебания>: the samples of an accelerometer, the spectrum of both axes and its strongest frequencies. GUI
+/// thread.
 class WaveformPage : public SpanPage
 {
     Q_OBJECT

@@ -14,7 +14,7 @@ class QCustomPlot;
 
 namespace gorizont {
 
-/// The page <X–Y>: the way of a sensor's axis over a span, its colour telling the time, both scales equal, its first and
+/// The page <Годограф>: the way of a sensor's axis over a span, its colour telling the time, both scales equal, its first and
 /// last place marked. GUI thread.
 class XyPage : public SpanPage
 {
