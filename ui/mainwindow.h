@@ -73,7 +73,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
-    /// F5: ports that are gone or parked sensors are to be tried at once.
+    /// F5: whatever did not answer is to be tried at once: ports that are gone, parked sensors, the archive.
     void retryRequested();
     /// The user wants to see the register map; who makes the window knows it.
     void registerMapRequested();

@@ -27,6 +27,7 @@ TrendsPage::TrendsPage(SensorRegistry &registry, SeriesSource source, QWidget *p
     , m_source(std::move(source))
     , m_feed(new SeriesFeed(std::move(clock), this))
 {
+    setObjectName(QStringLiteral("trendsPage"));
     build();
     connectParts();
     m_feed->setSource(m_source, true);

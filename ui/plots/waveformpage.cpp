@@ -53,6 +53,7 @@ WaveformPage::WaveformPage(SensorRegistry &registry, SeriesSource source, QWidge
     , m_wave(new QCustomPlot(m_content))
     , m_lines(new QCustomPlot(m_content))
 {
+    setObjectName(QStringLiteral("waveformPage"));
     buildPlots();
     buildChoices();
     auto *rows = new QVBoxLayout(m_content);

@@ -37,6 +37,7 @@ XyPage::XyPage(SensorRegistry &registry, SeriesSource source, QWidget *parent, S
     : SpanPage(registry, std::move(source), {Quantity::TiltX, Quantity::TiltY}, mostPoints, parent, std::move(clock))
     , m_plot(new QCustomPlot(this))
 {
+    setObjectName(QStringLiteral("xyPage"));
     buildPlot();
     m_start = addMark(tr("start"), true);
     m_end = addMark(tr("end"), false);
