@@ -85,6 +85,7 @@ QWidget *DisplacementPage::makeBar()
 
 void DisplacementPage::build()
 {
+    setFocusProxy(m_table);
     m_table->setModel(m_model);
     m_table->setEmptyText(tr("The configuration names no chain of sensors ([Chain1])."));
     setColumns(m_table->columns());

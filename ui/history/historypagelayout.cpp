@@ -65,6 +65,7 @@ HistoryPage::HistoryPage(const SensorRegistry &registry, const QString &siteName
     rows->setChildrenCollapsible(false);
     m_stack->addWidget(nothing);
     m_stack->addWidget(columns);
+    setFocusProxy(m_calendar);
 
     m_again.setInterval(std::chrono::minutes(1));
     connect(&m_again, &QTimer::timeout, this, &HistoryPage::refresh);

@@ -25,6 +25,7 @@ void TrendsPage::build()
     m_plot = new TrendPlot(this);
     m_plot->setObjectName(QStringLiteral("trendPlot"));
     m_plot->setAccessibleName(tr("Trend"));
+    setFocusProxy(m_plot);
     m_hint = new QLabel(m_plot);
     m_hint->setObjectName(QStringLiteral("trendHint"));
     m_hint->setAlignment(Qt::AlignCenter);

@@ -70,6 +70,8 @@ void WaveformPage::buildPlots()
 {
     m_wave->setObjectName(QStringLiteral("wavePlot"));
     m_wave->setAccessibleName(tr("Samples"));
+    m_wave->setFocusPolicy(Qt::StrongFocus);
+    setFocusProxy(m_wave);
     m_lines->setObjectName(QStringLiteral("spectrumPlot"));
     m_lines->setAccessibleName(tr("Spectrum"));
     m_wave->xAxis->setTicker(QSharedPointer<TimeTicker>::create());

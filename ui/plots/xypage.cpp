@@ -60,6 +60,8 @@ void XyPage::buildPlot()
 {
     m_plot->setObjectName(QStringLiteral("xyPlot"));
     m_plot->setAccessibleName(tr("Way of the axis"));
+    m_plot->setFocusPolicy(Qt::StrongFocus);
+    setFocusProxy(m_plot);
     const QCPColorGradient gradient = timeGradient();
     for (int i = 0; i < parts; ++i) {
         auto *part = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
