@@ -52,7 +52,8 @@ public:
     /// of devices go.
     void offerService(const WorkerOfPort &worker, Journal &journal, const KeepRecords &keep = {});
 
-    /// One more tab above, for \a page that needs the whole height; the window owns it from now on.
+    /// One more tab above, for \a page that needs the whole height, laid out as it was kept; the window owns it from
+    /// now on. \a key brings it up and gives it the keyboard.
     void addWidePage(QWidget *page, const QString &title, const QKeySequence &key);
 
 public Q_SLOTS:

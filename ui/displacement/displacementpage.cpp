@@ -95,6 +95,7 @@ void DisplacementPage::build()
     sideBySide->addWidget(m_x);
     sideBySide->addWidget(m_y);
     auto *splitter = new QSplitter(Qt::Vertical, this);
+    splitter->setObjectName(QStringLiteral("profileRows"));
     splitter->addWidget(planes);
     splitter->addWidget(m_table);
     splitter->setStretchFactor(0, 3);

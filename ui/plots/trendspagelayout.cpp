@@ -45,6 +45,7 @@ void TrendsPage::build()
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     buildToolBar(bar);
     auto *rows = new QSplitter(Qt::Vertical, this);
+    rows->setObjectName(QStringLiteral("trendRows"));
     rows->addWidget(m_plot);
     rows->addWidget(m_readout);
     rows->setStretchFactor(0, 1);
