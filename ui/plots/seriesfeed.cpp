@@ -55,6 +55,13 @@ SeriesFeed::SeriesFeed(Clock clock, QObject *parent)
     connect(&m_pause, &QTimer::timeout, this, &SeriesFeed::ask);
 }
 
+SeriesFeed::~SeriesFeed()
+{
+    if (m_watcher) {
+        m_watcher->cancel();
+    }
+}
+
 void SeriesFeed::setSource(SeriesSource source, bool isLive)
 {
     forgetQuestion();

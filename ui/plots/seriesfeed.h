@@ -31,6 +31,8 @@ public:
     };
 
     explicit SeriesFeed(Clock clock = utcNow, QObject *parent = nullptr);
+    /// Cancels its question: whoever reads for it stops.
+    ~SeriesFeed() override;
 
     /// Forgets what the former source said. \a isLive: readings belong behind its history; without a source they are
     /// all there is.
