@@ -90,8 +90,16 @@ bool SeriesFeed::isCovered(const Wish &wish) const
     if (had < 0.8 * wanted || had > 4 * wanted) {
         return false;
     }
-    const bool isEdge = m_isLive && wish.to > m_askedAt;
-    return isEdge ? m_clock() - m_askedAt < refreshPeriod(wish.to - wish.from) : wish.to <= m_asked.to;
+    const std::chrono::microseconds age = m_clock() - m_askedAt;
+    if (age.count() < 0) {
+        return false; // the clock was set back
+    }
+    if (!m_isLive || wish.to <= m_askedAt || m_asked.to < m_askedAt) {
+        return wish.to <= m_asked.to;
+    }
+    // At the edge a question is never too old before it has been answered: an archive that needs longer than the period
+    // would never come to an end.
+    return isWaiting() || age < refreshPeriod(wish.to - wish.from);
 }
 
 void SeriesFeed::want(const Wish &wish)
