@@ -30,6 +30,9 @@ public:
         bool operator==(const Wish &) const = default;
     };
 
+    /// Buckets of a key that are kept where no source ever takes them over.
+    static constexpr qsizetype mostLive = 50000;
+
     explicit SeriesFeed(Clock clock = utcNow, QObject *parent = nullptr);
     /// Cancels its question: whoever reads for it stops.
     ~SeriesFeed() override;
