@@ -179,12 +179,13 @@ void TrendsPage::drawHistory()
 
 void TrendsPage::drawLive(const QList<SeriesKey> &keys)
 {
+    if (!isVisible()) {
+        return; // showEvent() draws all
+    }
     for (const SeriesKey &key : keys) {
         m_plot->append(key, m_feed->live(key));
     }
-    if (isVisible()) {
-        draw();
-    }
+    draw();
 }
 
 void TrendsPage::draw()
@@ -266,6 +267,7 @@ void TrendsPage::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     m_tick->start();
+    drawHistory();
     advance();
 }
 
