@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/analysis/samplestretches.h"
-#include "core/analysis/spectrumpeaks.h"
 #include "ui/plots/spanpage.h"
+#include "ui/plots/waveformanalysis.h"
+
+#include <QFutureWatcher>
 
 class QCPGraph;
 class QCustomPlot;
@@ -26,17 +27,21 @@ private:
     void buildPlots();
     void buildChoices();
     void drawSamples(QCPGraph *graph, const Series &series);
+    bool isOtherSpan() const;
+    void fitSamples();
     void analyse();
+    void takeAnalysis();
     void showAnalysis(const WaveformAnalysis &x, const WaveformAnalysis &y);
     void drawSpectrum(QCPGraph *graph, const Spectrum &spectrum);
 
     QWidget *m_content;
     QCustomPlot *m_wave;
-    QCustomPlot *m_lines; ///< of the spectrum
+    QCustomPlot *m_lines = nullptr; ///< of the spectrum
     Series m_x; ///< as drawn and analysed last
     Series m_y;
+    TimeSpan m_analysed; ///< the span that was seen when they were
     SpectrumSettings m_settings;
-    int m_question = 0; ///< only the last analysis counts
+    QFutureWatcher<WaveformAnalyses> m_analysis; ///< the last that was begun; it ends with the page
     QString m_note;
 };
 
