@@ -209,6 +209,15 @@ void TrendsPage::showEvent(QShowEvent *event)
     advance();
 }
 
+/// The curves have other colours on a dark background.
+void TrendsPage::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_plot) {
+        applyCurves();
+    }
+}
+
 void TrendsPage::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);

@@ -60,12 +60,31 @@ void WaveformPage::buildPlots()
         plot->setPlottingHints(QCP::PlottingHints(QCP::phFastPolylines) | QCP::phCacheLabels);
         plot->legend->setVisible(true);
         for (const Quantity quantity : {Quantity::SampleX, Quantity::SampleY}) {
-            const CurveStyle style = curveStyle(quantity == Quantity::SampleX ? 0 : 1, colours::isDark(palette()));
-            QCPGraph *graph = plot->addGraph();
-            graph->setName(plottext::quantity(quantity));
-            graph->setPen(QPen(style.colour, 1, style.line));
+            plot->addGraph()->setName(plottext::quantity(quantity));
+        }
+    }
+    dress();
+}
+
+/// In the colours of the desktop, which may change while the program runs.
+void WaveformPage::dress()
+{
+    for (QCustomPlot *plot : {m_wave, m_lines}) {
+        for (int axis = 0; axis < plot->graphCount(); ++axis) {
+            const CurveStyle style = curveStyle(axis, colours::isDark(palette()));
+            plot->graph(axis)->setPen(QPen(style.colour, 1, style.line));
         }
         plotlook::dress(*plot);
+        plot->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+void WaveformPage::changeEvent(QEvent *event)
+{
+    SpanPage::changeEvent(event);
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) && m_lines) {
+        dress();
+        takeAnalysis(); // the labels have the colours of their curves
     }
 }
 

@@ -22,9 +22,11 @@ public:
 
 protected:
     void draw() override;
+    void changeEvent(QEvent *event) override;
 
 private:
     void buildPlots();
+    void dress();
     void buildChoices();
     void drawSamples(QCPGraph *graph, const Series &series);
     bool isOtherSpan() const;

@@ -25,6 +25,7 @@ public:
 
 protected:
     void draw() override;
+    void changeEvent(QEvent *event) override;
 
 private:
     struct Mark
@@ -33,6 +34,7 @@ private:
         QCPItemText *name = nullptr;
     };
     Mark addMark(const QString &name, bool isStart);
+    void dress();
     void place(const Mark &mark, const QList<HodographPoint> &points, qsizetype at);
     void buildPlot();
     void drawWay(const QList<HodographPoint> &points);
