@@ -39,7 +39,17 @@ void DayCalendar::setMarks(const DayMarks &marks)
 
 void DayCalendar::setToday(QDate today)
 {
-    m_today = today;
+    const QDate before = std::exchange(m_today, today);
+    if (today == before) {
+        return;
+    }
+    const bool wasLast = beginOfMonth(lastShown()) == beginOfMonth(before);
+    if (m_current == before && m_anchor == before) {
+        go(today, false);
+    }
+    if (wasLast) {
+        showMonth(today);
+    }
     update();
 }
 

@@ -20,7 +20,7 @@ public:
 
     /// Of the days that are shown; the others are forgotten.
     void setMarks(const DayMarks &marks);
-    /// Days after it are shown, and cannot be chosen.
+    /// Days after it are shown, and cannot be chosen. Whoever looks at the former one goes on with it.
     void setToday(QDate today);
     void choose(QDate first, QDate last);
 
