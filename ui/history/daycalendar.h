@@ -73,6 +73,7 @@ private:
     std::pair<QDate, QDate> m_told; ///< the days that were said to be shown
     QDate m_current; ///< where the keys go on from
     QDate m_anchor; ///< the other end of the choice
+    int m_wheel = 0; ///< turned since the last month, eighths of a degree
 };
 
 } // namespace gorizont
