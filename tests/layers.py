@@ -31,7 +31,10 @@ ROOMS = {
     "core/export": ["core/values"],
     "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
     "translations": [],
-    "ui/plots": ["ui", "core/values", "core/config", "core/registry", "core/analysis", "core/history/historysource.h"],
+    "ui/plots": [
+        "ui", "core/values", "core/config", "core/registry", "core/analysis", "core/history/historysource.h",
+        "core/export/csvtable.h",
+    ],
     "ui/service": [
         "ui", "core/values", "core/config", "core/registry", "core/engine/lineworker.h", "core/devices/addressscan.h",
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",

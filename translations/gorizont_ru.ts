@@ -138,21 +138,6 @@
     </message>
 </context>
 <context>
-    <name>CsvText</name>
-    <message>
-        <source>Time</source>
-        <translation>Время</translation>
-    </message>
-    <message>
-        <source>%1, min.</source>
-        <translation>%1, мин.</translation>
-    </message>
-    <message>
-        <source>%1, max.</source>
-        <translation>%1, макс.</translation>
-    </message>
-</context>
-<context>
     <name>Export</name>
     <message>
         <source>Time</source>
@@ -3582,6 +3567,18 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>The zero was not removed: %1. Check the rights, then try again.</source>
         <translation>Нуль не удалён: %1. Проверьте права доступа и повторите.</translation>
     </message>
+    <message>
+        <source>Sensors that are new or stand at another height are not compared.</source>
+        <translation>Датчики, которые добавлены или стоят на другой высоте, не сравниваются.</translation>
+    </message>
+    <message>
+        <source>Replace the zero of %1 by the present shape?</source>
+        <translation>Заменить нуль от %1 нынешней формой?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Заменить</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ExportDialog</name>
@@ -3915,10 +3912,6 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>There is no archive. Switch it on in the section [Archive] of GorizontServer.ini and start the program again.</source>
         <translation>Архива нет. Включите его в секции [Archive] файла GorizontServer.ini и запустите программу снова.</translation>
-    </message>
-    <message>
-        <source>&amp;Refresh</source>
-        <translation>&amp;Обновить</translation>
     </message>
     <message>
         <source>Earlier months</source>

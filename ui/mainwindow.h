@@ -52,7 +52,8 @@ public:
     /// of devices go.
     void offerService(const WorkerOfPort &worker, Journal &journal, const KeepRecords &keep = {});
 
-    /// One more tab above, for \a page that needs the whole height; the window owns it from now on.
+    /// One more tab above, for \a page that needs the whole height, laid out as it was kept; the window owns it from
+    /// now on. \a key brings it up and gives it the keyboard.
     void addWidePage(QWidget *page, const QString &title, const QKeySequence &key);
 
 public Q_SLOTS:
@@ -73,7 +74,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The user wants the program to end, and confirmed it if CanClose=0.
     void exitRequested();
-    /// F5: ports that are gone or parked sensors are to be tried at once.
+    /// F5: whatever did not answer is to be tried at once: ports that are gone, parked sensors, the archive.
     void retryRequested();
     /// The user wants to see the register map; who makes the window knows it.
     void registerMapRequested();

@@ -4,7 +4,7 @@
 #include "ui/attentionbanner.h"
 #include "ui/infopanel.h"
 #include "ui/mainwindow.h"
-#include "ui/pages/columnlayout.h"
+#include "ui/pages/partlayout.h"
 #include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 #include "ui/sitetree.h"
@@ -125,6 +125,9 @@ void MainWindow::buildViewMenu()
 void MainWindow::addWidePage(QWidget *page, const QString &title, const QKeySequence &key)
 {
     m_state->addWidePage(page, title);
+    const QSettings settings = windowSettings();
+    restoreTables(settings, *page);
+    restoreSplitters(settings, *page);
     auto *action = new QAction(title, this);
     action->setObjectName(page->objectName() + QStringLiteral("Action"));
     action->setShortcut(key);
@@ -203,10 +206,7 @@ void MainWindow::restoreLayout()
     m_rows->restoreState(settings.value(QStringLiteral("window/rows")).toByteArray());
     m_state->showServerTab(settings.value(QStringLiteral("window/serverTab")).toInt());
     m_info->setCurrentIndex(settings.value(QStringLiteral("window/infoTab")).toInt());
-    for (const TableView *table : findChildren<TableView *>()) {
-        const int columns = table->model()->columnCount();
-        table->columns().setLayout(readColumnLayout(settings, table->objectName(), columns));
-    }
+    restoreTables(settings, *this);
 }
 
 void MainWindow::saveLayout() const
@@ -217,9 +217,9 @@ void MainWindow::saveLayout() const
     settings.setValue(QStringLiteral("window/rows"), m_rowsState.isEmpty() ? m_rows->saveState() : m_rowsState);
     settings.setValue(QStringLiteral("window/serverTab"), m_state->serverTab());
     settings.setValue(QStringLiteral("window/infoTab"), m_info->currentIndex());
-    for (const TableView *table : findChildren<TableView *>()) {
-        const int columns = table->model()->columnCount();
-        writeColumnLayout(settings, table->objectName(), columns, table->columns().layout());
+    keepTables(settings, *this);
+    for (const QWidget *page : m_state->widePages()) {
+        keepSplitters(settings, *page);
     }
 }
 

@@ -58,6 +58,12 @@ void StatePanel::addWidePage(QWidget *page, const QString &title)
     addTab(page, title);
 }
 
+void StatePanel::showWidePage(QWidget *page)
+{
+    setCurrentWidget(page);
+    page->setFocus(Qt::ShortcutFocusReason);
+}
+
 void StatePanel::leaveWidePage()
 {
     if (isWide()) {

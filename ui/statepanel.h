@@ -26,7 +26,9 @@ public:
     /// A tab that is there whatever is selected, stays while something else is selected, and wants the whole height of
     /// the window. It draws itself.
     void addWidePage(QWidget *page, const QString &title);
-    void showWidePage(QWidget *page) { setCurrentWidget(page); }
+    /// With the keyboard.
+    void showWidePage(QWidget *page);
+    QWidgetList widePages() const { return m_widePages; }
     /// Back from a wide page to the tab of what is selected.
     void leaveWidePage();
     bool isWide() const { return m_widePages.contains(currentWidget()); }

@@ -45,6 +45,8 @@ void addWindowPages(MainWindow &window, const PageSources &sources)
     if (isArchived) {
         history->setSource(archiveSource(sources.archive));
     }
+    // A page of its own F5 would make the key ambiguous, and nobody would get it.
+    QObject::connect(&window, &MainWindow::retryRequested, history, &HistoryPage::refresh);
     window.addWidePage(history, title(QT_TRANSLATE_NOOP("WindowPages", "History")), QKeySequence(Qt::Key_F7));
     if (anySensor(sources.registry, &SensorConfig::measuresTilt)) {
         window.addWidePage(

@@ -3,6 +3,7 @@
 #include "translations/translation.h"
 #include "ui/displacement/displacementpage.h"
 #include "ui/displacement/profilemodel.h"
+#include "ui/pages/tableview.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
@@ -31,12 +32,15 @@ private Q_SLOTS:
     void aShapeWithAHoleMakesNoZero();
     void tableShowsTheTopFirst();
     void storesAndForgetsTheZero();
+    void asksBeforeItReplacesTheZero();
+    void comparesNothingThatHangsElsewhere();
     void tellsWhyTheZeroWasNotStored();
     void withoutChainsItSaysWhatToDo();
     void sentencesDoNotWidenTheWindow();
 
 private:
     void tilt(int number, double x, double y);
+    static ChainNode node(int number, double height) { return {number, height, {}, {}}; }
     template <typename T> static T *find(QWidget &page, const char *name)
     {
         return page.findChild<T *>(QString::fromLatin1(name));
@@ -75,13 +79,15 @@ QStringList TestDisplacementPage::rows(DisplacementPage &page) const
 
 void TestDisplacementPage::zeroIsReadAsItWasWritten()
 {
-    const QByteArray json =
-        R"({"time":"2026-11-22T06:00:00.250Z","nodes":[{"number":2,"x":1.5,"y":-2},{"number":3,"x":0,"y":10}]})";
+    const QByteArray json = R"({"time":"2026-11-22T06:00:00.250Z","nodes":[{"number":2,"height":2.5,"x":1.5,"y":-2},)"
+                            R"({"number":3,"x":0,"y":10}]})";
     const auto zero = ProfileZero::fromJson(json);
     QVERIFY(zero);
     QCOMPARE(zero->time, UtcTime(std::chrono::milliseconds(1795327200250)));
-    QCOMPARE(zero->at(2), std::optional(Displacement{1.5, -2}));
-    QVERIFY(!zero->at(4));
+    QCOMPARE(zero->at(node(2, 2.5)), std::optional(Displacement{1.5, -2}));
+    QVERIFY(!zero->at(node(2, 2.51))); // it hangs elsewhere by now
+    QVERIFY(!zero->at(node(4, 2.5)));
+    QCOMPARE(zero->at(node(3, 7)), std::optional(Displacement{0, 10})); // an older file does not say where it hung
     QCOMPARE(ProfileZero::fromJson(zero->toJson()), zero);
 }
 
@@ -150,8 +156,42 @@ void TestDisplacementPage::storesAndForgetsTheZero()
     find<QPushButton>(*question, "removeZeroYes")->click();
     QVERIFY(rows(page).first().endsWith(u" — —"_s));
     QVERIFY(!find<QPushButton>(page, "removeZero")->isEnabled());
-    QVERIFY(DisplacementPage(*m_registry, m_folder->filePath(u"Zero"_s)).isEnabled());
+    DisplacementPage next(*m_registry, m_folder->filePath(u"Zero"_s));
+    QVERIFY(!find<QPushButton>(next, "removeZero")->isEnabled());
     QVERIFY(!QFile::exists(m_folder->filePath(u"Zero/chain7.json"_s)));
+}
+
+void TestDisplacementPage::asksBeforeItReplacesTheZero()
+{
+    tilt(2, 0, 0);
+    tilt(3, 108000, 0);
+    DisplacementPage page(*m_registry, m_folder->path());
+    find<QPushButton>(page, "storeZero")->click();
+    tilt(3, 324000, 0);
+    page.refresh();
+    const QString moved = u" +500.00 +0.00"_s;
+    QVERIFY(rows(page).first().endsWith(moved));
+    find<QPushButton>(page, "storeZero")->click();
+    find<QPushButton>(page, "replaceZeroNo")->click();
+    QVERIFY(rows(page).first().endsWith(moved));
+    QTRY_VERIFY(!find<QMessageBox>(page, "replaceZeroQuestion"));
+    find<QPushButton>(page, "storeZero")->click();
+    find<QPushButton>(page, "replaceZeroYes")->click();
+    QVERIFY(rows(page).first().endsWith(u" +0.00 +0.00"_s));
+}
+
+void TestDisplacementPage::comparesNothingThatHangsElsewhere()
+{
+    tilt(2, 0, 0);
+    tilt(3, 108000, 0);
+    DisplacementPage page(*m_registry, m_folder->path());
+    find<QPushButton>(page, "storeZero")->click();
+    QVERIFY(rows(page).first().endsWith(u" +0.00 +0.00"_s));
+    m_registry->setChains({{7, u"Колонна"_s, {{2, 2.0}, {3, 1.5}}}});
+    page.refresh();
+    QVERIFY(rows(page).first().endsWith(u" — —"_s));
+    QVERIFY(rows(page).last().endsWith(u" +0.00 +0.00"_s)); // the one below stands where it stood
+    QVERIFY(find<QLabel>(page, "zeroText")->text().contains(u"на другой высоте"_s));
 }
 
 void TestDisplacementPage::tellsWhyTheZeroWasNotStored()
@@ -174,6 +214,9 @@ void TestDisplacementPage::withoutChainsItSaysWhatToDo()
     DisplacementPage page(*m_registry, m_folder->path());
     QCOMPARE(rows(page), QStringList());
     QVERIFY(!find<QPushButton>(page, "storeZero")->isEnabled());
+    QCOMPARE(
+        find<TableView>(page, "profileTable")->emptyText(),
+        u"В конфигурации нет ни одной цепочки датчиков ([Chain1])."_s);
 }
 
 void TestDisplacementPage::sentencesDoNotWidenTheWindow()

@@ -2,113 +2,29 @@
 
 #include "tests/ui/modeltext.h"
 #include "tests/ui/samplesite.h"
+#include "tests/ui/slowhistory.h"
 #include "ui/history/daycalendar.h"
 #include "ui/history/gapmodel.h"
 #include "ui/pages/tableview.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
-#include <QComboBox>
-#include <QDateTimeEdit>
-#include <QDialog>
 #include <QHelpEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
-#include <QProgressBar>
-#include <QPromise>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
-#include <QTemporaryDir>
 #include <QToolTip>
 #include <QtTest>
 
 using namespace gorizont;
+using test::SlowSource;
+using test::utcOf;
 using namespace std::chrono_literals;
 using namespace Qt::Literals::StringLiterals;
 
 namespace {
-
-/// A question that waits for its answer.
-template <typename Answer> struct Asked
-{
-    QList<int> numbers;
-    UtcTime from;
-    UtcTime to;
-    std::shared_ptr<QPromise<Answer>> promise = std::make_shared<QPromise<Answer>>();
-
-    void answer(const Answer &value) const
-    {
-        promise->addResult(value);
-        promise->finish();
-    }
-};
-
-/// A HistorySource that answers when the test says so.
-class SlowSource
-{
-public:
-    struct Months
-    {
-        QList<int> numbers;
-        QDate first;
-        QDate last;
-        std::shared_ptr<QPromise<QList<DayCompleteness>>> promise =
-            std::make_shared<QPromise<QList<DayCompleteness>>>();
-
-        void answer(const QList<DayCompleteness> &value) const
-        {
-            promise->addResult(value);
-            promise->finish();
-        }
-    };
-
-    HistorySource source()
-    {
-        HistorySource source;
-        source.completeness = [this](const QList<int> &numbers, QDate first, QDate last) {
-            months.append(Months{numbers, first, last});
-            months.last().promise->start();
-            return months.last().promise->future();
-        };
-        source.gaps = [this](const QList<int> &numbers, UtcTime from, UtcTime to) {
-            gaps.append(Asked<QList<Gap>>{numbers, from, to});
-            gaps.last().promise->start();
-            return gaps.last().promise->future();
-        };
-        source.events = [this](UtcTime from, UtcTime to, int) {
-            events.append(Asked<QList<JournalEntry>>{{}, from, to});
-            events.last().promise->start();
-            return events.last().promise->future();
-        };
-        source.series = [this](const SeriesQuery &query) {
-            if (!isExportFast) {
-                series.append(std::make_shared<QPromise<QList<Series>>>());
-                series.last()->start();
-                return series.last()->future();
-            }
-            QList<Series> answer;
-            for (const SeriesKey &key : query.keys) {
-                answer << Series{key, {}, {{query.from, 1, 2, 3, 1, 1}}, {}};
-            }
-            return QtFuture::makeReadyFuture(answer);
-        };
-        return source;
-    }
-
-    QList<Months> months;
-    QList<Asked<QList<Gap>>> gaps;
-    QList<Asked<QList<JournalEntry>>> events;
-    QList<std::shared_ptr<QPromise<QList<Series>>>> series;
-    bool isExportFast = true;
-};
-
-UtcTime utcOf(QDate day)
-{
-    return UtcTime(std::chrono::milliseconds(day.startOfDay().toMSecsSinceEpoch()));
-}
 
 DayCompleteness completeness(int number, QDate day, std::chrono::microseconds valid)
 {
@@ -126,7 +42,6 @@ private Q_SLOTS:
     void initTestCase() { qputenv("TZ", "UTC"); }
     void init()
     {
-        QVERIFY((m_folder = std::make_unique<QTemporaryDir>())->isValid());
         m_source = std::make_unique<SlowSource>();
         m_registry = std::make_unique<SensorRegistry>(test::sampleConfig().lines, StatusRules());
         m_page = std::make_unique<HistoryPage>(*m_registry, u"Высотное здание"_s);
@@ -261,7 +176,7 @@ private Q_SLOTS:
         QTRY_COMPARE(find<TableView>("gapTable")->emptyText(), sentence);
         QTRY_COMPARE(find<TableView>("dayEventTable")->emptyText(), sentence);
         const qsizetype asked = m_source->months.size();
-        QTest::keyClick(m_page.get(), Qt::Key_F5);
+        m_page->refresh(); // what F5 does in the window
         QCOMPARE(m_source->months.size(), asked + 1);
         m_source->months.last().answer({});
         QTRY_COMPARE(find<QLabel>("historyTrouble")->text(), QString());
@@ -316,6 +231,41 @@ private Q_SLOTS:
         QCOMPARE(m_calendar->lastChosen(), first.addDays(3));
     }
 
+    /// The window stays open for weeks: it shows the day it is, not the one it was started on.
+    void theDayGoesOn()
+    {
+        DayCalendar calendar;
+        calendar.resize(calendar.minimumSizeHint());
+        const QDate later = m_today.addDays(40);
+        calendar.setToday(later);
+        QCOMPARE(calendar.firstChosen(), later);
+        QCOMPARE(calendar.lastChosen(), later);
+        QVERIFY(calendar.firstShown() <= later && calendar.lastShown() >= later);
+        const QDate chosen = later.addDays(-200);
+        calendar.choose(chosen, chosen);
+        const QDate shown = calendar.firstShown();
+        calendar.setToday(later.addDays(40));
+        QCOMPARE(calendar.firstChosen(), chosen); // somebody is busy with that day
+        QCOMPARE(calendar.firstShown(), shown);
+    }
+
+    void theWheelTurnsMonths()
+    {
+        const QDate first = m_calendar->firstShown();
+        for (int i = 0; i < 7; ++i) {
+            turnWheel({0, 15});
+        }
+        turnWheel({120, 0});
+        QCOMPARE(m_calendar->firstShown(), first);
+        turnWheel({0, 15});
+        QCOMPARE(m_calendar->firstShown(), first.addMonths(-1));
+        turnWheel({0, 240});
+        QCOMPARE(m_calendar->firstShown(), first.addMonths(-3));
+        turnWheel({0, 60});
+        turnWheel({0, -120}); // another direction begins anew
+        QCOMPARE(m_calendar->firstShown(), first.addMonths(-2));
+    }
+
     /// A part of the window at 200 %: the keys reach every day all the same, and it is in sight.
     void lowWindow()
     {
@@ -351,89 +301,6 @@ private Q_SLOTS:
         QCOMPARE(m_source->gaps.last().to, utcOf(m_today.addDays(-1)));
     }
 
-    void exportWritesAFile()
-    {
-        m_page->show(2, m_today.addDays(-1), m_today.addDays(-1));
-        openExport("days.csv");
-        dialogFind<QComboBox>("exportFormat")->setCurrentIndex(1);
-        dialogFind<QComboBox>("exportEvery")->setCurrentIndex(2);
-        dialogFind<QPushButton>("exportStart")->click();
-        QTRY_VERIFY(dialogFind<QPushButton>("exportStart")->isEnabled());
-        QVERIFY2(state().startsWith(u"Done, rows: 1. Written: "_s), qPrintable(state()));
-        QFile file(m_folder->filePath(u"days.csv"_s));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        QCOMPARE(
-            QString::fromUtf8(file.readAll()),
-            u"time,2 IN-D3 tilt-x (arcsec) min,2 IN-D3 tilt-x (arcsec) mean,2 IN-D3 tilt-x (arcsec) max,"
-            "2 IN-D3 tilt-y (arcsec) min,2 IN-D3 tilt-y (arcsec) mean,2 IN-D3 tilt-y (arcsec) max\n"
-            "%1T00:00:00.000Z,1.000,2.000,3.000,1.000,2.000,3.000\n"_s.arg(m_today.addDays(-1).toString(Qt::ISODate)));
-    }
-
-    void exportIsCancelled()
-    {
-        m_source->isExportFast = false;
-        openExport("never.csv");
-        auto *cancel = dialogFind<QPushButton>("exportCancel");
-        QVERIFY(!cancel->isEnabled());
-        dialogFind<QPushButton>("exportStart")->click();
-        QVERIFY(dialogFind<QProgressBar>("exportProgress")->isVisible());
-        QVERIFY(cancel->isEnabled());
-        cancel->click();
-        QTRY_COMPARE(state(), u"Cancelled; nothing was written."_s);
-        QVERIFY(QDir(m_folder->path()).isEmpty());
-    }
-
-    /// The dialog is closed while the archive is silent: nothing waits for it, nothing is left.
-    void exportEndsWithItsDialog()
-    {
-        m_source->isExportFast = false;
-        openExport("never.csv");
-        dialogFind<QPushButton>("exportStart")->click();
-        dialogFind<QPushButton>("exportClose")->click();
-        QTRY_VERIFY(!m_page->findChild<QDialog *>(u"exportDialog"_s));
-        QVERIFY(QDir(m_folder->path()).isEmpty());
-    }
-
-    void nothingIsReplacedUnasked()
-    {
-        QFile old(m_folder->filePath(u"old.csv"_s));
-        QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
-        old.close();
-        openExport("old.csv");
-        dialogFind<QPushButton>("exportStart")->click();
-        dialogFind<QPushButton>("replaceNo")->click();
-        QVERIFY(old.open(QIODevice::ReadOnly));
-        QCOMPARE(old.readAll(), QByteArray("old"));
-        QTRY_VERIFY(!m_page->findChild<QMessageBox *>());
-        dialogFind<QPushButton>("exportStart")->click();
-        dialogFind<QPushButton>("replaceYes")->click();
-        QTRY_VERIFY(state().startsWith(u"Done"_s));
-    }
-
-    void exportSaysWhatIsWrong()
-    {
-        openExport("none/there.csv");
-        dialogFind<QPushButton>("exportStart")->click();
-        QTRY_VERIFY(state().contains(u"cannot be written ("_s));
-        dialogFind<QDateTimeEdit>("exportTo")->setDateTime(dialogFind<QDateTimeEdit>("exportFrom")->dateTime());
-        dialogFind<QPushButton>("exportStart")->click();
-        QTRY_COMPARE(state(), u"The range ends before it begins: set another beginning or end."_s);
-        dialogFind<QLineEdit>("exportPath")->clear();
-        dialogFind<QPushButton>("exportStart")->click();
-        QCOMPARE(state(), u"Name a file to write to."_s);
-    }
-
-    void seedHasCodesInsteadOfQuantities()
-    {
-        openExport("site.csv");
-        QVERIFY(dialogFind<QListWidget>("exportQuantities")->isVisible());
-        dialogFind<QComboBox>("exportFormat")->setCurrentIndex(2);
-        QVERIFY(!dialogFind<QListWidget>("exportQuantities")->isVisible());
-        QVERIFY(!dialogFind<QComboBox>("exportEvery")->isEnabled());
-        QCOMPARE(dialogFind<QLineEdit>("exportStation")->text(), u"VYSOT"_s);
-        QVERIFY(dialogFind<QLineEdit>("exportPath")->text().endsWith(u"site.mseed"_s));
-    }
-
 private:
     static Gap gap(int number)
     {
@@ -448,27 +315,18 @@ private:
         }
         return found;
     }
-    template <typename T> T *dialogFind(const char *name) const
-    {
-        T *found = find<QDialog>("exportDialog")->findChild<T *>(QLatin1String(name));
-        if (!found) {
-            qFatal("no widget %s", name);
-        }
-        return found;
-    }
-
     QStringList tabs() const
     {
         const auto *lists = find<QTabWidget>("historyLists");
         return {lists->tabText(0), lists->tabText(1)};
     }
 
-    QString state() const { return dialogFind<QLabel>("exportState")->text(); }
-
-    void openExport(const char *file) const
+    void turnWheel(QPoint delta) const
     {
-        find<QPushButton>("exportButton")->click();
-        dialogFind<QLineEdit>("exportPath")->setText(m_folder->filePath(QLatin1String(file)));
+        const QPointF place = m_calendar->rect().center();
+        QWheelEvent event(
+            place, m_calendar->mapToGlobal(place), {}, delta, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_calendar, &event);
     }
 
     /// Where the tool tip and the mouse find a day.
@@ -491,7 +349,6 @@ private:
     }
 
     const QDate m_today = QDate::currentDate();
-    std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<SlowSource> m_source;
     std::unique_ptr<SensorRegistry> m_registry;
     std::unique_ptr<HistoryPage> m_page;

@@ -1,10 +1,6 @@
-#include "core/alarms/alarmwatch.h"
-#include "ui/mainwindow.h"
-
-#include "tests/ui/samplesite.h"
+#include "tests/ui/windowbench.h"
 
 #include <QAbstractButton>
-#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDialog>
@@ -13,44 +9,24 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QScrollBar>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTimer>
 #include <QTreeView>
 #include <QtTest>
 
 using namespace gorizont;
 
 /// The window as an operator uses it: real, offscreen, its widgets found by their names.
-class TestMainWindow : public QObject
+class TestMainWindow : public QObject, protected test::WindowBench
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QVERIFY(m_settings.isValid());
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    }
-    void init()
-    {
-        m_config = test::sampleConfig();
-        m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
-        m_journal = std::make_unique<Journal>();
-        m_alarms = std::make_unique<AlarmWatch>(*m_registry);
-        open({});
-    }
-    void cleanup()
-    {
-        m_window.reset();
-        m_alarms.reset();
-        m_journal.reset();
-        m_registry.reset();
-    }
+    void initTestCase() { useOwnSettings(); }
+    void init() { begin(); }
+    void cleanup() { end(); }
 
     /// Manual 000, sections 4.1 – 4.5: a tab exists only while its element is selected.
     void tabsFollowTheTree()
@@ -216,92 +192,6 @@ private Q_SLOTS:
         QCOMPARE(find<QAction>("goAction8")->shortcut(), QKeySequence(QStringLiteral("Ctrl+8")));
     }
 
-    void hiddenWindowDoesNothing()
-    {
-        const auto *timer = find<QTimer>("refreshTimer");
-        QVERIFY(timer->isActive());
-        QCOMPARE(timer->interval(), 250);
-        trigger("goAction2");
-        QSignalSpy changed(find<QTableView>("sensorsTable")->model(), &QAbstractItemModel::dataChanged);
-        m_window->hide();
-        QVERIFY(!timer->isActive());
-        m_registry->update({test::sampleReading(std::chrono::steady_clock::now())});
-        QTest::qWait(300);
-        QCOMPARE(changed.size(), 0);
-        m_window->raiseWindow();
-        QVERIFY(timer->isActive());
-        QVERIFY(!changed.isEmpty());
-        m_window->showMinimized();
-        QTRY_VERIFY(!timer->isActive());
-    }
-
-    void minimisedWindowHidesToTheTray()
-    {
-        m_window->showMinimized();
-        QTest::qWait(20);
-        QVERIFY(m_window->isVisible()); // no tray: the task bar must keep it
-        m_window->raiseWindow();
-        QVERIFY(!m_window->isMinimized());
-        m_window->setHidesToTray(true);
-        m_window->showMinimized();
-        QTRY_VERIFY(!m_window->isVisible());
-        m_window->toggle();
-        QVERIFY(m_window->isVisible() && !m_window->isMinimized());
-        m_window->toggle();
-        QVERIFY(!m_window->isVisible());
-    }
-
-    void startsHidden()
-    {
-        m_config.startsHidden = true;
-        open({}, false);
-        m_window->showAtStart();
-        QVERIFY(m_window->isMinimized());
-        open({}, false);
-        m_window->setHidesToTray(true);
-        m_window->showAtStart();
-        QVERIFY(!m_window->isVisible());
-    }
-
-    void closingAsksWhenTold()
-    {
-        m_config.closesSilently = false;
-        open({});
-        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
-        QVERIFY(!m_window->close());
-        QVERIFY(find<QMessageBox>("exitQuestion")->isVisible());
-        QVERIFY(!m_window->close()); // a second attempt asks no second question
-        QCOMPARE(m_window->findChildren<QMessageBox *>().size(), 1);
-        find<QAbstractButton>("exitNo")->click();
-        QTRY_VERIFY(!m_window->findChild<QMessageBox *>());
-        QVERIFY(m_window->isVisible());
-        QCOMPARE(ended.size(), 0);
-
-        QVERIFY(!m_window->close());
-        find<QAbstractButton>("exitYes")->click();
-        QCOMPARE(ended.size(), 1);
-        QVERIFY(!m_window->isVisible());
-    }
-
-    void theSystemIsNotAskedBack()
-    {
-        m_config.closesSilently = false;
-        open({});
-        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
-        QVERIFY(!m_window->close());
-        QVERIFY(find<QMessageBox>("exitQuestion")->isVisible()); // not even while a question is open
-        m_window->endWithoutQuestion();
-        QCOMPARE(ended.size(), 1);
-        QVERIFY(!m_window->isVisible());
-    }
-
-    void closingIsSilentOtherwise()
-    {
-        QSignalSpy ended(m_window.get(), &MainWindow::exitRequested);
-        QVERIFY(m_window->close());
-        QCOMPARE(ended.size(), 1);
-    }
-
     void aboutTellsVersionAndLicence()
     {
         trigger("aboutAction");
@@ -335,28 +225,6 @@ private Q_SLOTS:
         QVERIFY(!m_window->findChild<QDialog *>(QStringLiteral("complaintsDialog")));
     }
 
-    void remembersItsLayout()
-    {
-        m_window->setGeometry(10, 10, 770, 700);
-        auto *splitter = find<QSplitter>("columnsSplitter");
-        splitter->setSizes({300, 470});
-        const QList<int> sizes = splitter->sizes();
-        m_window->close();
-        open({});
-        QCOMPARE(m_window->size(), QSize(770, 700));
-        QTRY_COMPARE(find<QSplitter>("columnsSplitter")->sizes(), sizes);
-    }
-
-    /// The screen has become smaller, or its scale larger.
-    void comesBackWhereItCanBeSeen()
-    {
-        const QRect available = m_window->screen()->availableGeometry();
-        m_window->setGeometry(QRect(available.center(), available.size()));
-        m_window->close();
-        open({});
-        QVERIFY(available.contains(m_window->geometry()));
-    }
-
     /// Tests and scripts find everything by name.
     void everythingHasAName()
     {
@@ -374,26 +242,6 @@ private Q_SLOTS:
     }
 
 private:
-    void open(const QList<Complaint> &complaints, bool isShown = true)
-    {
-        m_window = std::make_unique<MainWindow>(*m_registry, *m_journal, *m_alarms, m_config, complaints);
-        if (isShown) {
-            m_window->showAtStart();
-            QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        }
-    }
-
-    template <typename T> T *find(const char *name) const
-    {
-        T *found = m_window->findChild<T *>(QLatin1String(name));
-        if (!found) {
-            qFatal("no widget %s", name);
-        }
-        return found;
-    }
-
-    void trigger(const char *action) const { find<QAction>(action)->trigger(); }
-
     QString cell(const char *table, int row, int column) const
     {
         return find<QTableView>(table)->model()->index(row, column).data().toString();
@@ -412,13 +260,6 @@ private:
         }
         return titles;
     }
-
-    QTemporaryDir m_settings;
-    ServerConfig m_config;
-    std::unique_ptr<SensorRegistry> m_registry;
-    std::unique_ptr<Journal> m_journal;
-    std::unique_ptr<AlarmWatch> m_alarms;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 QTEST_MAIN(TestMainWindow)

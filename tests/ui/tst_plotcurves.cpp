@@ -2,6 +2,7 @@
 #include "ui/plots/curvemodel.h"
 #include "ui/plots/plottext.h"
 #include "ui/plots/plottime.h"
+#include "ui/plots/seriesfeed.h"
 
 #include "tests/ui/contrast.h"
 #include "tests/ui/modeltext.h"
@@ -108,6 +109,17 @@ private Q_SLOTS:
         m_curve.append({value(1s, 2), value(2s, 3)});
         m_curve.append({value(2s, 3), {start + 3s, 0, 0, 0, 1, 0}, value(4s, 5)});
         QCOMPARE(drawn(m_curve.line()), QStringLiteral("1 2 3 | 5"));
+    }
+
+    /// Without an archive nothing ever takes the readings over: a month must not fill the memory.
+    void theOldestGo()
+    {
+        for (int i = 0; i < 3 * SeriesFeed::mostLive; ++i) {
+            m_curve.append({value(i * 1s, i)});
+        }
+        QVERIFY(m_curve.line()->dataCount() <= SeriesFeed::mostLive);
+        QVERIFY(m_curve.line()->dataCount() > SeriesFeed::mostLive / 2);
+        QCOMPARE((m_curve.line()->data()->constEnd() - 1)->value, 3.0 * SeriesFeed::mostLive - 1);
     }
 
     void nothingIsDrawnOfNothing()

@@ -126,6 +126,57 @@ private Q_SLOTS:
         QTRY_COMPARE(m_feed->live(tiltX).size(), 10); // the first ten seconds are history by now
     }
 
+    /// An archive that needs longer than the edge takes to move on still comes to an end.
+    void aSlowAnswerIsWaitedFor()
+    {
+        m_feed->want(hour(present));
+        for (int i = 0; i < 20; ++i) {
+            m_now += 1min;
+            m_feed->want(hour(m_now));
+        }
+        QTest::qWait(200);
+        QCOMPARE(m_source->questions.size(), 1U);
+        QVERIFY(!m_source->questions.front().isCancelled());
+        m_source->answer(0, {{tiltX, 0s, {test::reading(present, 5)}, {}}});
+        QTRY_VERIFY(!m_feed->isWaiting());
+        QCOMPARE(m_feed->history(tiltX).buckets.size(), 1);
+        m_feed->want(hour(m_now)); // by now it is old
+        QTRY_COMPARE(m_source->questions.size(), 2U);
+    }
+
+    /// What was asked of the past says nothing of the present, however little time has gone by.
+    void fromThePastToTheEdge()
+    {
+        m_feed->want(hour(present - 100h));
+        m_now += 1ms;
+        m_feed->want(hour(m_now));
+        QTRY_COMPARE(m_source->questions.size(), 2U);
+        QVERIFY(m_source->questions.front().isCancelled());
+    }
+
+    void theClockIsSetBack()
+    {
+        m_feed->want(hour(present));
+        m_source->answer(0, {{tiltX, 0s, {}, {}}});
+        QTRY_VERIFY(!m_feed->isWaiting());
+        m_feed->append({tilt(present, 1)});
+        m_now = present - 1h;
+        const QSignalSpy redrawn(m_feed.get(), &SeriesFeed::historyChanged);
+        m_feed->append({tilt(m_now, 2)});
+        QCOMPARE(m_feed->live(tiltX), QList<SeriesBucket>{test::reading(m_now, 2)});
+        QCOMPARE(redrawn.size(), 1);
+        m_feed->want(hour(m_now));
+        QTRY_COMPARE(m_source->questions.size(), 2U);
+    }
+
+    /// Whoever reads for it may stop.
+    void itsEndCancelsTheQuestion()
+    {
+        m_feed->want(hour(present));
+        m_feed.reset();
+        QVERIFY(m_source->questions.front().isCancelled());
+    }
+
     void whatEndsTheLiveCurve()
     {
         m_feed->want(hour(present));

@@ -14,8 +14,15 @@ namespace {
 
 const UtcTime start{1'518'017'583s}; ///< 2018-02-07 15:33:03 UTC
 
-QList<CsvCurve> sample()
+QList<CsvCurve> sample(ExportFormat format, bool isInDegrees)
 {
+    SensorConfig tower;
+    tower.number = 1;
+    tower.model = QStringLiteral("AN-D3");
+    tower.place = QStringLiteral("\"Этаж\"; 2");
+    SensorConfig cellar;
+    cellar.number = 2;
+    cellar.model = QStringLiteral("IN-D3");
     Series tilt;
     tilt.buckets = {
         test::reading(start - 1s, 1),
@@ -27,8 +34,8 @@ QList<CsvCurve> sample()
     mean.step = 1min;
     mean.buckets = {{start, 20.5, 21, 22.25, 60, 60}};
     return {
-        {QStringLiteral("1 АН-Д3; \"Этаж\" Mx"), QStringLiteral("°"), 1.0 / 3600, tilt},
-        {QStringLiteral("2 T"), QStringLiteral("°C"), 1, mean}};
+        {csvColumn(tower, Quantity::TiltX, format, false, isInDegrees), tilt},
+        {csvColumn(cellar, Quantity::Temperature, format, true, isInDegrees), mean}};
 }
 
 } // namespace
@@ -41,30 +48,36 @@ class TestTrendCsv : public QObject
 private Q_SLOTS:
     void russianExcel()
     {
-        const QByteArray table = trendCsv(sample(), {start, start + 10s}, CsvForm::RussianExcel, QTimeZone(3 * 3600));
+        const auto format = ExportFormat::CsvRussian;
+        const QByteArray table = trendCsv(sample(format, true), {start, start + 10s}, format, QTimeZone(3 * 3600));
         QVERIFY(table.startsWith("\xEF\xBB\xBF"));
         QCOMPARE(
             QString::fromUtf8(table.mid(3)),
-            QStringLiteral("Time;\"1 АН-Д3; \"\"Этаж\"\" Mx, °\";2 T, °C;2 T, °C, min.;2 T, °C, max.\r\n"
-                           "07.02.2018 18:33:03,000;1;21;20,5;22,25\r\n"
-                           "07.02.2018 18:33:04,500;-0,25;;;\r\n"
-                           "07.02.2018 18:33:05,000;;;;\r\n"));
+            QStringLiteral("Time;\"1 АН-Д3 [\"\"Этаж\"\"; 2] Tilt X, degrees\";2 ИН-Д3 Temperature, °C, min;"
+                           "2 ИН-Д3 Temperature, °C, mean;2 ИН-Д3 Temperature, °C, max\r\n"
+                           "07.02.2018 18:33:03,000;1,0000000;20,500;21,000;22,250\r\n"
+                           "07.02.2018 18:33:04,500;-0,2500000;;;\r\n"));
     }
 
+    /// As the export of the history: UTC, names that no language changes.
     void iso()
     {
-        const QByteArray table = trendCsv(sample(), {start, start + 10s}, CsvForm::Iso, QTimeZone(3 * 3600));
+        const auto format = ExportFormat::CsvIso;
+        const QByteArray table = trendCsv(sample(format, false), {start, start + 10s}, format, QTimeZone(3 * 3600));
         QCOMPARE(
             QString::fromUtf8(table),
-            QStringLiteral("Time,\"1 АН-Д3; \"\"Этаж\"\" Mx, °\",\"2 T, °C\",\"2 T, °C, min.\",\"2 T, °C, max.\"\r\n"
-                           "2018-02-07T18:33:03.000+03:00,1,21,20.5,22.25\r\n"
-                           "2018-02-07T18:33:04.500+03:00,-0.25,,,\r\n"
-                           "2018-02-07T18:33:05.000+03:00,,,,\r\n"));
+            QStringLiteral("time,\"1 AN-D3 [\"\"Этаж\"\"; 2] tilt-x (arcsec)\",2 IN-D3 temperature (degC) min,"
+                           "2 IN-D3 temperature (degC) mean,2 IN-D3 temperature (degC) max\n"
+                           "2018-02-07T15:33:03.000Z,3600.000,20.500,21.000,22.250\n"
+                           "2018-02-07T15:33:04.500Z,-900.000,,,\n"));
+        const QByteArray degrees = trendCsv(sample(format, true), {start, start + 1s}, format, QTimeZone(3 * 3600));
+        QVERIFY(degrees.contains("tilt-x (deg)\","));
+        QVERIFY(degrees.contains("03.000Z,1.0000000,20.500,"));
     }
 
     void nothingSeen()
     {
-        QCOMPARE(trendCsv({}, {start, start + 1h}, CsvForm::Iso, QTimeZone::utc()), QByteArray("Time\r\n"));
+        QCOMPARE(trendCsv({}, {start, start + 1h}, ExportFormat::CsvIso, QTimeZone::utc()), QByteArray("time\n"));
     }
 
     void layouts()
@@ -84,11 +97,13 @@ private Q_SLOTS:
     {
         QSettings settings(m_folder.filePath(QStringLiteral("b.ini")), QSettings::IniFormat);
         settings.setValue(QStringLiteral("x/size"), 1);
-        settings.setValue(QStringLiteral("x/1/curves"), QStringLiteral("12:1 12 :: 5:99 a:b 7:0 8:14"));
+        settings.setValue(QStringLiteral("x/1/curves"), QStringLiteral("12:1 12 :: 5:99 a:b 7:0 8:14 7:16 7:17"));
         settings.setValue(QStringLiteral("x/1/seconds"), QStringLiteral("-5"));
         const QList<TrendLayout> read = readTrendLayouts(settings, QStringLiteral("x"));
         QCOMPARE(read.size(), 1);
-        QCOMPARE(read.first().curves, (QList<SeriesKey>{{12, Quantity::TiltX}, {8, Quantity::SampleY}}));
+        QCOMPARE(
+            read.first().curves,
+            (QList<SeriesKey>{{12, Quantity::TiltX}, {8, Quantity::SampleY}, {7, Quantity::DisplacementY}}));
         QCOMPARE(read.first().span, std::chrono::seconds(3600));
     }
 

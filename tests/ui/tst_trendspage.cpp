@@ -1,54 +1,29 @@
-#include "ui/plots/trendspage.h"
-
-#include "tests/ui/plotsource.h"
-#include "tests/ui/samplesite.h"
+#include "tests/ui/trendsbench.h"
 #include "ui/models/sitetreemodel.h"
 #include "ui/plots/cursorpair.h"
 #include "ui/plots/plottime.h"
-#include "ui/plots/trendplot.h"
 
 #include <QComboBox>
 #include <QLabel>
-#include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QSettings>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QTreeView>
 #include <QtTest>
 
 using namespace gorizont;
 using namespace std::chrono_literals;
-
-namespace {
-
-const UtcTime present{1'800'000'000s};
-const SeriesKey tiltX{2, Quantity::TiltX};
-const QString program = QStringLiteral("Gorizont Server");
-const SeriesKey temperature{1, Quantity::Temperature};
-
-} // namespace
+using test::present;
+using test::temperature;
+using test::tiltX;
 
 /// The page of trends as an operator uses it.
-class TestTrendsPage : public QObject
+class TestTrendsPage : public QObject, protected test::TrendsBench
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QVERIFY(m_settings.isValid());
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    }
-    void init()
-    {
-        QSettings(QSettings::NativeFormat, QSettings::UserScope, program, program).clear();
-        m_now = present;
-        m_source = std::make_unique<test::PlotSource>();
-        m_registry = std::make_unique<SensorRegistry>(test::sampleConfig().lines, StatusRules());
-        open();
-    }
+    void initTestCase() { useOwnSettings(); }
+    void init() { begin(); }
     void cleanup() { m_page.reset(); }
 
     void anEmptyPageTellsWhatToDo()
@@ -150,6 +125,22 @@ private Q_SLOTS:
         QCOMPARE(plot()->span().to, m_now);
     }
 
+    /// The desktop turns dark while the program runs: the curves are still told from the background and each other.
+    void coloursFollowTheDesktop()
+    {
+        m_page->showCurves({tiltX});
+        answer({{tiltX, 0s, {test::reading(present - 10s, 0)}, {}}});
+        QTRY_COMPARE(plot()->graphsOf(tiltX)->line()->dataCount(), 1);
+        m_page->findChild<QAction *>(QStringLiteral("cursorsAction"))->trigger();
+        QCOMPARE(plot()->graphsOf(tiltX)->line()->pen().color(), curveStyle(0, false).colour);
+        QPalette dark(QColor(0x20, 0x22, 0x26));
+        m_page->setPalette(dark);
+        QCOMPARE(plot()->graphsOf(tiltX)->line()->pen().color(), curveStyle(0, true).colour);
+        QCOMPARE(plot()->graphsOf(tiltX)->line()->dataCount(), 1);
+        const auto *cursor = plot()->findChild<QCPItemStraightLine *>();
+        QCOMPARE(cursor->pen().color(), dark.color(QPalette::Text));
+    }
+
     void keys()
     {
         QTest::keyClick(plot(), Qt::Key_PageUp);
@@ -236,6 +227,20 @@ private Q_SLOTS:
         QTRY_COMPARE(m_source->questions.size(), 2U);
     }
 
+    void nothingIsDrawnWhileHidden()
+    {
+        m_page->showCurves({tiltX});
+        answer({{tiltX, 0s, {test::reading(present - 10s, 0)}, {}}});
+        QTRY_COMPARE(plot()->graphsOf(tiltX)->line()->dataCount(), 1);
+        m_page->hide();
+        Reading reading = test::tiltReading(2, 7200, 0, SteadyTime());
+        reading.time = present;
+        m_registry->update({reading});
+        QCOMPARE(plot()->graphsOf(tiltX)->line()->dataCount(), 1);
+        m_page->show();
+        QCOMPARE(plot()->graphsOf(tiltX)->line()->dataCount(), 2);
+    }
+
     void anArchiveThatDoesNotAnswerIsSaid()
     {
         m_page->showCurves({tiltX});
@@ -297,92 +302,6 @@ private Q_SLOTS:
         QVERIFY(m_page->isFollowing());
     }
 
-    void whatIsSeenIsSaved()
-    {
-        m_page->showCurves({temperature});
-        answer({{temperature, 0s, {test::reading(present - 2h, 9), test::reading(present - 1min, 21.5)}, {}}});
-        QTRY_VERIFY(plot()->hasValues());
-        const QString csv = m_settings.filePath(QStringLiteral("a.csv"));
-        QVERIFY(m_page->exportTo(csv, TrendsPage::Export::ExcelCsv));
-        QFile file(csv);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArrayList lines = file.readAll().split('\n');
-        QCOMPARE(lines.size(), 3);
-        QVERIFY(lines.at(1).endsWith(";21,5\r"));
-        const QString png = m_settings.filePath(QStringLiteral("a.png"));
-        QVERIFY(m_page->exportTo(png, TrendsPage::Export::Png));
-        QCOMPARE(QImage(png).size(), plot()->size() * plot()->devicePixelRatio());
-        const QString pdf = m_settings.filePath(QStringLiteral("a.pdf"));
-        QVERIFY(m_page->exportTo(pdf, TrendsPage::Export::Pdf));
-        QFile document(pdf);
-        QVERIFY(document.open(QIODevice::ReadOnly));
-        QVERIFY(document.readAll().startsWith("%PDF-"));
-        for (const auto form : {TrendsPage::Export::Png, TrendsPage::Export::Pdf, TrendsPage::Export::IsoCsv}) {
-            QVERIFY(!m_page->exportTo(m_settings.filePath(QStringLiteral("none/a")), form));
-        }
-    }
-
-    void layoutsAreKept()
-    {
-        m_page->showCurves({tiltX, temperature});
-        m_page->follow(10min);
-        m_page->keepLayout(QStringLiteral("Fundament & roof"));
-        m_page->showCurves({temperature});
-        m_page->follow(24h);
-        m_page.reset(); // the last state is kept too
-        open();
-        QCOMPARE(m_page->curves(), QList<SeriesKey>{temperature});
-        QCOMPARE(length(), std::chrono::microseconds(24h));
-        QAction *kept = layoutAction(QStringLiteral("Fundament && roof"));
-        QVERIFY(kept);
-        kept->trigger();
-        QCOMPARE(m_page->curves(), (QList<SeriesKey>{tiltX, temperature}));
-        QCOMPARE(length(), std::chrono::microseconds(10min));
-        m_page->keepLayout(QStringLiteral("Fundament & roof"));
-        QAction *forget = layoutAction(QStringLiteral("&Delete"))->menu()->actions().constFirst();
-        forget->trigger();
-        QVERIFY(!layoutAction(QStringLiteral("Fundament && roof")));
-    }
-
-    void oldFilesAreShown()
-    {
-        QDir history(m_settings.path());
-        QVERIFY(history.mkpath(QStringLiteral("History")) && history.cd(QStringLiteral("History")));
-        QFile file(history.filePath(QStringLiteral("2018_02_data.txt")));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        const QByteArray group = "\t  -264.0\t  7200.0\t   21.38\t     0.0\t 0 0000 0000 0000";
-        file.write("18:33:03 07.02.18\t3300" + group + group + group + group + "\r\n");
-        file.write("18:33:04 07.02.18\t3300" + group + group + group + group + "\r\n");
-        file.close();
-        m_page->showCurves({{2, Quantity::TiltY}});
-        m_page->openOldFiles(history.path());
-        auto *back = m_page->findChild<QAction *>(QStringLiteral("archiveAction"));
-        QTRY_VERIFY(back->isVisible());
-        QTRY_COMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 2);
-        QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->data()->at(0)->value, 2.0);
-        QVERIFY(!m_page->isFollowing());
-        m_registry->update({test::tiltReading(2, 1, 1, SteadyTime())});
-        QCOMPARE(plot()->graphsOf({2, Quantity::TiltY})->line()->dataCount(), 2); // the present is not among old files
-        const TimeSpan shown = plot()->span();
-        QTest::keyClick(plot(), Qt::Key_PageUp);
-        QTest::keyClick(plot(), Qt::Key_Home);
-        QCOMPARE(plot()->span(), shown);
-        const std::size_t asked = m_source->questions.size();
-        back->trigger();
-        QVERIFY(m_page->isFollowing());
-        QCOMPARE(m_source->questions.size(), asked + 1);
-    }
-
-    void foldersWithoutFilesAreExplained()
-    {
-        m_page->openOldFiles(m_settings.filePath(QStringLiteral("none")));
-        QTRY_VERIFY(m_page->findChild<QMessageBox *>(QStringLiteral("trendMessage")));
-        auto *box = m_page->findChild<QMessageBox *>(QStringLiteral("trendMessage"));
-        QVERIFY(box->text().startsWith(QStringLiteral("There are no old records in")));
-        box->close();
-        QVERIFY(m_page->isFollowing());
-    }
-
     void aSensorIsDropped()
     {
         SiteTreeModel tree(*m_registry);
@@ -401,24 +320,6 @@ private Q_SLOTS:
     }
 
 private:
-    void open()
-    {
-        m_page = std::make_unique<TrendsPage>(*m_registry, m_source->source(), nullptr, [this] { return m_now; });
-        m_page->resize(1000, 600);
-        m_page->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
-    }
-    QAction *layoutAction(const QString &title) const
-    {
-        auto *menu = m_page->findChild<QMenu *>(QStringLiteral("layoutsMenu"));
-        Q_EMIT menu->aboutToShow();
-        for (QAction *action : menu->actions()) {
-            if (action->text() == title) {
-                return action;
-            }
-        }
-        return nullptr;
-    }
     void drop(QMimeData &data)
     {
         QDragEnterEvent enter({500, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -429,9 +330,6 @@ private:
         QCoreApplication::sendEvent(m_page.get(), &event);
     }
     QLabel *hint() const { return m_page->findChild<QLabel *>(QStringLiteral("trendHint")); }
-    TrendPlot *plot() const { return m_page->findChild<TrendPlot *>(QStringLiteral("trendPlot")); }
-    std::chrono::microseconds length() const { return plot()->span().to - plot()->span().from; }
-    void answer(const QList<Series> &series) { m_source->answer(m_source->questions.size() - 1, series); }
     int xAt(double share) const
     {
         return plot()->axisRect()->left() + static_cast<int>(share * plot()->axisRect()->width());
@@ -444,12 +342,6 @@ private:
             Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(plot(), &event);
     }
-
-    QTemporaryDir m_settings;
-    UtcTime m_now;
-    std::unique_ptr<test::PlotSource> m_source;
-    std::unique_ptr<SensorRegistry> m_registry;
-    std::unique_ptr<TrendsPage> m_page;
 };
 
 QTEST_MAIN(TestTrendsPage)

@@ -2,12 +2,14 @@
 
 #include "tests/ui/plotsource.h"
 #include "tests/ui/samplesite.h"
+#include "ui/plots/curvestyle.h"
 #include "ui/plots/plotting.h"
 #include "ui/plots/waveformpage.h"
 
 #include <QtTest>
 
 #include <numbers>
+#include <numeric>
 
 using namespace gorizont;
 using namespace std::chrono_literals;
@@ -123,8 +125,66 @@ private Q_SLOTS:
         QTRY_VERIFY(state->text().contains(QStringLiteral("Segments averaged: 1,")));
         QCOMPARE(plot->graph(0)->dataCount(), 2048);
         auto *windows = page.findChild<QComboBox *>(QStringLiteral("spectrumWindow"));
+        const double narrow = sumOf(plot->graph(0));
         windows->setCurrentIndex(windows->findData(int(SpectrumWindow::BlackmanHarris)));
-        QTRY_VERIFY(state->text().contains(QStringLiteral("Ax: 0.213 Hz (4.00)")));
+        QTRY_VERIFY(sumOf(plot->graph(0)) > 1.2 * narrow); // its lines are the widest
+        QVERIFY(state->text().contains(QStringLiteral("Ax: 0.213 Hz (4.00)")));
+    }
+
+    /// The answer reaches beyond what is seen: spectrum and scale are of what is seen.
+    void theSpectrumBelongsToTheSpan()
+    {
+        WaveformPage page(m_registry, m_source->source(), nullptr, [] { return present; });
+        page.resize(900, 600);
+        page.show();
+        page.showSpan({present - 9min, present});
+        QTRY_VERIFY(m_source->questions.back().query.from < present - 10min);
+        Series x = samples({1, Quantity::SampleX}, 0.213, 4);
+        x.buckets.last() = test::reading(x.buckets.last().from, 500); // an impact
+        m_source->answer(m_source->questions.size() - 1, {x, samples({1, Quantity::SampleY}, 1.75, 0.5)});
+        auto *state = page.findChild<QLabel *>(QStringLiteral("spanState"));
+        QTRY_VERIFY2(state->text().contains(QStringLiteral("Segments averaged: 7,")), qPrintable(state->text()));
+        const auto *wave = page.findChild<QCustomPlot *>(QStringLiteral("wavePlot"));
+        QVERIFY(wave->yAxis->range().upper > 500);
+        const std::size_t asked = m_source->questions.size();
+        page.showSpan({present - 9min, present - 9min + 160s});
+        QTRY_VERIFY2(state->text().contains(QStringLiteral("Segments averaged: 2,")), qPrintable(state->text()));
+        QVERIFY(wave->yAxis->range().upper < 5);
+        QCOMPARE(m_source->questions.size(), asked); // all of it was known
+    }
+
+    /// A page that is closed while its samples are analysed takes nothing with it.
+    void thePageEndsBeforeItsAnalysis()
+    {
+        for (int i = 0; i < 20; ++i) {
+            WaveformPage page(m_registry, m_source->source(), nullptr, [] { return present; });
+            page.show();
+            const Series x = samples({1, Quantity::SampleX}, 0.213, 4);
+            m_source->answer(m_source->questions.size() - 1, {x, samples({1, Quantity::SampleY}, 1.75, 0.5)});
+            auto *state = page.findChild<QLabel *>(QStringLiteral("spanState"));
+            QTRY_VERIFY(!state->text().contains(QStringLiteral("Reading…")));
+        }
+        QThreadPool::globalInstance()->waitForDone();
+        QCoreApplication::processEvents();
+    }
+
+    void coloursFollowTheDesktop()
+    {
+        WaveformPage wave(m_registry, m_source->source(), nullptr, [] { return present; });
+        XyPage way(m_registry, m_source->source(), nullptr, [] { return present; });
+        const QPalette dark(QColor(0x20, 0x22, 0x26));
+        wave.setPalette(dark);
+        way.setPalette(dark);
+        for (const QString &name : {QStringLiteral("wavePlot"), QStringLiteral("spectrumPlot")}) {
+            const auto *plot = wave.findChild<QCustomPlot *>(name);
+            QCOMPARE(plot->graph(0)->pen().color(), curveStyle(0, true).colour);
+            QCOMPARE(plot->xAxis->tickLabelColor(), dark.color(QPalette::Text));
+        }
+        const auto *plot = way.findChild<QCustomPlot *>(QStringLiteral("xyPlot"));
+        QCOMPARE(plot->xAxis->tickLabelColor(), dark.color(QPalette::Text));
+        for (const QCPItemTracer *mark : plot->findChildren<QCPItemTracer *>()) {
+            QCOMPARE(mark->pen().color(), dark.color(QPalette::Text));
+        }
     }
 
     void theSpanIsChosen()
@@ -141,6 +201,13 @@ private Q_SLOTS:
     }
 
 private:
+    static double sumOf(const QCPGraph *graph)
+    {
+        return std::accumulate(
+            graph->data()->constBegin(), graph->data()->constEnd(), 0.0,
+            [](double sum, const auto &line) { return sum + line.value; });
+    }
+
     /// `1,10 | 3,30`: places, `|` where the way breaks.
     static QString way(const QList<HodographPoint> &points)
     {

@@ -14,6 +14,8 @@
 #include <QSplitter>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace gorizont {
 
 namespace {
@@ -85,6 +87,7 @@ QWidget *DisplacementPage::makeBar()
 
 void DisplacementPage::build()
 {
+    setFocusProxy(m_table);
     m_table->setModel(m_model);
     m_table->setEmptyText(tr("The configuration names no chain of sensors ([Chain1])."));
     setColumns(m_table->columns());
@@ -94,6 +97,7 @@ void DisplacementPage::build()
     sideBySide->addWidget(m_x);
     sideBySide->addWidget(m_y);
     auto *splitter = new QSplitter(Qt::Vertical, this);
+    splitter->setObjectName(QStringLiteral("profileRows"));
     splitter->addWidget(planes);
     splitter->addWidget(m_table);
     splitter->setStretchFactor(0, 3);
@@ -128,20 +132,34 @@ void DisplacementPage::tellZero()
     m_store->setEnabled(isWhole);
     m_remove->setEnabled(m_zero.has_value());
     QString text = m_zero ? tr("Zero of %1").arg(valuetext::clock(m_zero->time)) : tr("No zero is stored.");
+    const auto isOther = [this](const ChainNode &node) { return !m_zero->at(node); };
+    if (m_zero && std::ranges::any_of(m_nodes, isOther)) {
+        text += QStringLiteral(". ") + tr("Sensors that are new or stand at another height are not compared.");
+    }
     if (!isWhole && !m_nodes.empty()) {
         text += u' ' + tr("The shape ends below the first sensor without a valid tilt.");
     }
     m_zeroText->setText(text);
 }
 
+/// What was stored before cannot be measured again: it is replaced only by whoever says so.
 void DisplacementPage::storeZero()
 {
-    const int chain = m_registry.chains().at(m_chain->currentIndex()).index;
     const auto zero = ProfileZero::of(m_nodes, utcNow());
     if (!zero) {
         return;
     }
-    if (m_files.save(chain, *zero)) {
+    if (!m_zero) {
+        keep(*zero);
+        return;
+    }
+    ask("replaceZero", tr("Replace the zero of %1 by the present shape?").arg(valuetext::clock(m_zero->time)),
+        tr("&Replace"), [this, zero] { keep(*zero); });
+}
+
+void DisplacementPage::keep(const ProfileZero &zero)
+{
+    if (m_files.save(m_registry.chains().at(m_chain->currentIndex()).index, zero)) {
         m_zero = zero;
         refresh();
         return;
@@ -149,20 +167,25 @@ void DisplacementPage::storeZero()
     warn(tr("The zero was not stored: %1. Check the disk and the rights, then try again.").arg(m_files.error()));
 }
 
-/// Returns at once: readings go on while the question is open.
 void DisplacementPage::removeZero()
 {
-    auto *question = new QMessageBox(
-        QMessageBox::Question, window()->windowTitle(),
-        tr("Forget the zero of %1?").arg(valuetext::clock(m_zero->time)), {}, this);
-    question->setObjectName(QStringLiteral("removeZeroQuestion"));
+    ask("removeZero", tr("Forget the zero of %1?").arg(valuetext::clock(m_zero->time)), tr("&Forget"),
+        [this] { forgetZero(); });
+}
+
+/// Returns at once: readings go on while the question is open.
+void DisplacementPage::ask(const char *name, const QString &text, const QString &yes, const std::function<void()> &go)
+{
+    auto *question = new QMessageBox(QMessageBox::Question, window()->windowTitle(), text, {}, this);
+    question->setObjectName(QLatin1String(name) + QStringLiteral("Question"));
     question->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton *yes = question->addButton(tr("&Forget"), QMessageBox::YesRole);
-    yes->setObjectName(QStringLiteral("removeZeroYes"));
+    QPushButton *agree = question->addButton(yes, QMessageBox::YesRole);
+    agree->setObjectName(QLatin1String(name) + QStringLiteral("Yes"));
     QPushButton *no = question->addButton(tr("&Cancel"), QMessageBox::NoRole);
+    no->setObjectName(QLatin1String(name) + QStringLiteral("No"));
     question->setDefaultButton(no);
     question->setEscapeButton(no);
-    connect(yes, &QPushButton::clicked, this, &DisplacementPage::forgetZero);
+    connect(agree, &QPushButton::clicked, this, go);
     question->open();
 }
 

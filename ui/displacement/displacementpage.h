@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QComboBox;
 class QLabel;
 class QPushButton;
@@ -38,7 +40,9 @@ private:
     QWidget *makeBar();
     void choose(int row);
     void storeZero();
+    void keep(const ProfileZero &zero);
     void removeZero();
+    void ask(const char *name, const QString &text, const QString &yes, const std::function<void()> &go);
     void forgetZero();
     void tellZero();
     void warn(const QString &text);

@@ -48,7 +48,7 @@ int ProfileModel::columnCount(const QModelIndex &parent) const
 
 std::optional<Displacement> ProfileModel::change(const ChainNode &node) const
 {
-    const auto before = m_zero ? m_zero->at(node.number) : std::nullopt;
+    const auto before = m_zero ? m_zero->at(node) : std::nullopt;
     if (!before || !node.sum) {
         return {};
     }

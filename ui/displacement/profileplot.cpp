@@ -63,7 +63,7 @@ void ProfilePlot::show(const std::vector<ChainNode> &nodes, const ProfileZero *z
     QVector<double> zeroShifts{0};
     QVector<double> zeroHeights{0};
     for (const ChainNode &node : nodes) {
-        const auto at = zero != nullptr ? zero->at(node.number) : std::nullopt;
+        const auto at = zero != nullptr ? zero->at(node) : std::nullopt;
         if (at) {
             zeroShifts.append(part(*at));
             zeroHeights.append(node.height);

@@ -8,6 +8,7 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gorizont {
 
@@ -20,15 +21,17 @@ std::optional<ProfileZero> ProfileZero::of(const std::vector<ChainNode> &nodes, 
         if (!node.sum) {
             return {};
         }
-        zero.nodes.append(Node{node.number, *node.sum});
+        zero.nodes.append(Node{node.number, node.height, *node.sum});
     }
     return zero;
 }
 
-std::optional<Displacement> ProfileZero::at(int number) const
+std::optional<Displacement> ProfileZero::at(const ChainNode &place) const
 {
-    const auto node =
-        std::find_if(nodes.begin(), nodes.end(), [number](const Node &one) { return one.number == number; });
+    constexpr double same = 0.001; // m
+    const auto node = std::find_if(nodes.begin(), nodes.end(), [&place](const Node &one) {
+        return one.number == place.number && std::abs(one.height.value_or(place.height) - place.height) < same;
+    });
     return node != nodes.end() ? std::optional(node->sum) : std::nullopt;
 }
 
@@ -36,7 +39,11 @@ QByteArray ProfileZero::toJson() const
 {
     QJsonArray list;
     for (const Node &node : nodes) {
-        list.append(QJsonObject{{u"number"_s, node.number}, {u"x"_s, node.sum.x}, {u"y"_s, node.sum.y}});
+        QJsonObject entry{{u"number"_s, node.number}, {u"x"_s, node.sum.x}, {u"y"_s, node.sum.y}};
+        if (node.height) {
+            entry.insert(u"height"_s, *node.height);
+        }
+        list.append(entry);
     }
     const auto ms = std::chrono::floor<std::chrono::milliseconds>(time.time_since_epoch()).count();
     const QString moment = QDateTime::fromMSecsSinceEpoch(ms, Qt::UTC).toString(Qt::ISODateWithMs);
@@ -58,7 +65,9 @@ std::optional<ProfileZero> ProfileZero::fromJson(const QByteArray &json)
             return {};
         }
         const Displacement sum{node.value(u"x").toDouble(), node.value(u"y").toDouble()};
-        zero.nodes.append(Node{node.value(u"number").toInt(), sum});
+        const QJsonValue height = node.value(u"height");
+        zero.nodes.append(
+            {node.value(u"number").toInt(), height.isDouble() ? std::optional(height.toDouble()) : std::nullopt, sum});
     }
     return zero;
 }

@@ -12,6 +12,7 @@ struct ProfileZero
     struct Node
     {
         int number = 0; ///< N, the sensor
+        std::optional<double> height; ///< m above the foot of the chain; empty: a file of an older program
         Displacement sum; ///< over the foot of the chain
         bool operator==(const Node &) const = default;
     };
@@ -22,10 +23,10 @@ struct ProfileZero
     /// Empty: a sensor of the chain is not valid now, so there is no shape.
     static std::optional<ProfileZero> of(const std::vector<ChainNode> &nodes, UtcTime time);
 
-    /// Over the foot of the chain; empty: the zero knows no such sensor.
-    std::optional<Displacement> at(int number) const;
+    /// Over the foot of the chain; empty: the zero knows no such sensor at this height.
+    std::optional<Displacement> at(const ChainNode &place) const;
 
-    /// JSON in UTF-8: `time` (ISO 8601, UTC), `nodes`: [{`number`, `x`, `y`}], mm.
+    /// JSON in UTF-8: `time` (ISO 8601, UTC), `nodes`: [{`number`, `height`, `x`, `y`}], m and mm.
     QByteArray toJson() const;
     static std::optional<ProfileZero> fromJson(const QByteArray &json);
 

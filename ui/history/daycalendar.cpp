@@ -39,7 +39,17 @@ void DayCalendar::setMarks(const DayMarks &marks)
 
 void DayCalendar::setToday(QDate today)
 {
-    m_today = today;
+    const QDate before = std::exchange(m_today, today);
+    if (today == before) {
+        return;
+    }
+    const bool wasLast = beginOfMonth(lastShown()) == beginOfMonth(before);
+    if (m_current == before && m_anchor == before) {
+        go(today, false);
+    }
+    if (wasLast) {
+        showMonth(today);
+    }
     update();
 }
 
@@ -124,9 +134,22 @@ void DayCalendar::mouseMoveEvent(QMouseEvent *event)
     }
 }
 
+/// A touch pad tells of a step in many small parts.
 void DayCalendar::wheelEvent(QWheelEvent *event)
 {
-    event->angleDelta().y() > 0 ? showEarlier() : showLater();
+    const int delta = event->angleDelta().y();
+    if (delta == 0) {
+        event->ignore();
+        return;
+    }
+    const bool isBack = m_wheel != 0 && (m_wheel > 0) != (delta > 0);
+    m_wheel = isBack ? delta : m_wheel + delta;
+    for (; m_wheel >= QWheelEvent::DefaultDeltasPerStep; m_wheel -= QWheelEvent::DefaultDeltasPerStep) {
+        showEarlier();
+    }
+    for (; m_wheel <= -QWheelEvent::DefaultDeltasPerStep; m_wheel += QWheelEvent::DefaultDeltasPerStep) {
+        showLater();
+    }
     event->accept();
 }
 

@@ -20,7 +20,7 @@ public:
 
     /// Of the days that are shown; the others are forgotten.
     void setMarks(const DayMarks &marks);
-    /// Days after it are shown, and cannot be chosen.
+    /// Days after it are shown, and cannot be chosen. Whoever looks at the former one goes on with it.
     void setToday(QDate today);
     void choose(QDate first, QDate last);
 
@@ -73,6 +73,7 @@ private:
     std::pair<QDate, QDate> m_told; ///< the days that were said to be shown
     QDate m_current; ///< where the keys go on from
     QDate m_anchor; ///< the other end of the choice
+    int m_wheel = 0; ///< turned since the last month, eighths of a degree
 };
 
 } // namespace gorizont

@@ -36,7 +36,8 @@ public:
     /// From now on \a source is asked; without completeness there is no archive, and the page says so.
     void setSource(const HistorySource &source);
 
-    /// Asks again for everything that is shown; once a minute it does so itself while it is visible.
+    /// Asks again for everything that is shown; once a minute it does so itself while it is visible. The sentences of
+    /// the page promise it to F5, which belongs to the window.
     void refresh();
 
     /// Goes to one sensor and the days of a range.

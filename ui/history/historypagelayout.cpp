@@ -10,7 +10,6 @@
 #include "ui/pages/tablecolumns.h"
 #include "ui/pages/tableview.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -41,6 +40,7 @@ HistoryPage::HistoryPage(const SensorRegistry &registry, const QString &siteName
     , m_eventTable(new TableView(QStringLiteral("dayEventTable"), this))
     , m_export(new QPushButton(tr("&Export…"), this))
 {
+    setObjectName(QStringLiteral("historyPage"));
     for (const SensorRegistry::Sensor &sensor : registry.sensors()) {
         m_sensors->add(statetext::sensorTitle(sensor.config), sensor.config.number);
     }
@@ -65,12 +65,8 @@ HistoryPage::HistoryPage(const SensorRegistry &registry, const QString &siteName
     rows->setChildrenCollapsible(false);
     m_stack->addWidget(nothing);
     m_stack->addWidget(columns);
+    setFocusProxy(m_calendar);
 
-    auto *again = new QAction(tr("&Refresh"), this);
-    again->setShortcut(QKeySequence(Qt::Key_F5));
-    again->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(again);
-    connect(again, &QAction::triggered, this, &HistoryPage::refresh);
     m_again.setInterval(std::chrono::minutes(1));
     connect(&m_again, &QTimer::timeout, this, &HistoryPage::refresh);
     connect(m_sensors, &CheckList::changed, this, &HistoryPage::refresh);

@@ -98,6 +98,9 @@ bool CursorPair::moveByKey(int key, Qt::KeyboardModifiers modifiers)
 
 bool CursorPair::eventFilter(QObject *, QEvent *event)
 {
+    if (event->type() == QEvent::PaletteChange) {
+        draw();
+    }
     if (!m_isShown) {
         return false;
     }

@@ -1,6 +1,7 @@
 #include "ui/plots/curvegraphs.h"
 
 #include "ui/plots/plottime.h"
+#include "ui/plots/seriesfeed.h"
 
 #include <limits>
 
@@ -106,6 +107,7 @@ void CurveGraphs::setHistory(const Series &series, double scale)
 void CurveGraphs::draw(const Points &points, bool hasBand)
 {
     m_hasBand = hasBand;
+    m_fromHistory = points.line.size();
     give(m_line, points.line);
     give(m_dots, points.dots);
     give(m_lowest, hasBand ? points.lowest : Dots());
@@ -127,6 +129,17 @@ void CurveGraphs::append(const QList<SeriesBucket> &live)
             m_highest->data()->add(QCPGraphData(key, value));
         }
         m_end = first->from;
+    }
+    if (m_line->dataCount() > m_fromHistory + SeriesFeed::mostLive) {
+        forgetOldest();
+    }
+}
+
+void CurveGraphs::forgetOldest()
+{
+    const double first = m_line->data()->at(static_cast<int>(SeriesFeed::mostLive / 10))->key;
+    for (QCPGraph *graph : {m_lowest, m_highest, m_line, m_dots}) {
+        graph->data()->removeBefore(first);
     }
 }
 

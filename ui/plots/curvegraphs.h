@@ -15,7 +15,7 @@ public:
 
     /// What is drawn = value × \a scale.
     void setHistory(const Series &series, double scale);
-    /// Draws those of \a live that are later than everything drawn.
+    /// Draws those of \a live that are later than everything drawn; of more than a feed keeps, the oldest go.
     void append(const QList<SeriesBucket> &live);
 
     /// Of everything that is drawn within \a keys; empty: nothing is.
@@ -27,6 +27,7 @@ private:
     struct Points;
     static void breakAt(Points &points, double key);
     void draw(const Points &points, bool hasBand);
+    void forgetOldest();
 
     QCPGraph *m_lowest;
     QCPGraph *m_highest;
@@ -34,6 +35,7 @@ private:
     QCPGraph *m_dots;
     double m_scale = 1;
     bool m_hasBand = false;
+    qsizetype m_fromHistory = 0; ///< points of the line
     UtcTime m_end; ///< of what is drawn
 };
 

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr std::chrono::milliseconds panningPause(120);
 constexpr std::chrono::microseconds shortestRefresh = 5s;
 constexpr std::chrono::microseconds longestRefresh = 5min;
-constexpr qsizetype mostLive = 50000; ///< buckets of a key, where no source ever takes them over
+constexpr std::chrono::microseconds leastStepBack = 1s; ///< less is no other clock, but the same reading told twice
 
 /// A quarter is asked for on either side, so that a short movement finds something there.
 constexpr int marginsOfSpan = 4;
@@ -55,6 +55,13 @@ SeriesFeed::SeriesFeed(Clock clock, QObject *parent)
     connect(&m_pause, &QTimer::timeout, this, &SeriesFeed::ask);
 }
 
+SeriesFeed::~SeriesFeed()
+{
+    if (m_watcher) {
+        m_watcher->cancel();
+    }
+}
+
 void SeriesFeed::setSource(SeriesSource source, bool isLive)
 {
     forgetQuestion();
@@ -83,8 +90,16 @@ bool SeriesFeed::isCovered(const Wish &wish) const
     if (had < 0.8 * wanted || had > 4 * wanted) {
         return false;
     }
-    const bool isEdge = m_isLive && wish.to > m_askedAt;
-    return isEdge ? m_clock() - m_askedAt < refreshPeriod(wish.to - wish.from) : wish.to <= m_asked.to;
+    const std::chrono::microseconds age = m_clock() - m_askedAt;
+    if (age.count() < 0) {
+        return false; // the clock was set back
+    }
+    if (!m_isLive || wish.to <= m_askedAt || m_asked.to < m_askedAt) {
+        return wish.to <= m_asked.to;
+    }
+    // At the edge a question is never too old before it has been answered: an archive that needs longer than the period
+    // would never come to an end.
+    return isWaiting() || age < refreshPeriod(wish.to - wish.from);
 }
 
 void SeriesFeed::want(const Wish &wish)
@@ -185,6 +200,7 @@ void SeriesFeed::append(const Readings &batch)
         return;
     }
     QList<SeriesKey> changed;
+    bool isSetBack = false;
     for (const Reading &reading : batch) {
         for (const SeriesKey &key : std::as_const(m_wish.keys)) {
             const std::optional<SeriesBucket> bucket =
@@ -193,8 +209,11 @@ void SeriesFeed::append(const Readings &batch)
                 continue;
             }
             QList<SeriesBucket> &live = m_live[key];
-            if (!live.isEmpty() && bucket->from <= live.last().from) {
-                continue; // told twice, or the clock was set back
+            if (!live.isEmpty() && live.last().from - bucket->from > leastStepBack) {
+                live.clear(); // the clock was set back
+                isSetBack = true;
+            } else if (!live.isEmpty() && bucket->from <= live.last().from) {
+                continue; // told twice
             }
             live.append(*bucket);
             if (live.size() > mostLive) {
@@ -202,6 +221,9 @@ void SeriesFeed::append(const Readings &batch)
             }
             changed.append(key);
         }
+    }
+    if (isSetBack) {
+        Q_EMIT historyChanged(); // what was drawn ends later than what comes
     }
     if (!changed.isEmpty()) {
         Q_EMIT liveChanged(changed);

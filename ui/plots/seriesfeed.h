@@ -26,11 +26,16 @@ public:
         QList<SeriesKey> keys;
         UtcTime from;
         UtcTime to;
-        int width = 0; ///< pixels of from … to
+        int width = 0; ///< pixels of from … to; 0: full rate
         bool operator==(const Wish &) const = default;
     };
 
+    /// Buckets of a key that are kept where no source ever takes them over.
+    static constexpr qsizetype mostLive = 50000;
+
     explicit SeriesFeed(Clock clock = utcNow, QObject *parent = nullptr);
+    /// Cancels its question: whoever reads for it stops.
+    ~SeriesFeed() override;
 
     /// Forgets what the former source said. \a isLive: readings belong behind its history; without a source they are
     /// all there is.

@@ -1,28 +1,18 @@
 #pragma once
 
-#include "core/values/series.h"
-
-#include <QByteArray>
-#include <QString>
-#include <QTimeZone>
+#include "core/export/csvtable.h"
 
 namespace gorizont {
 
 /// A curve as it goes into a table.
 struct CsvCurve
 {
-    QString title;
-    QString unit;
-    double scale = 1; ///< written = value × scale
+    CsvColumn column;
     Series series;
 };
 
-/// How a table is read: by Excel with Russian settings (`;`, decimal comma, byte order mark, local time), or by programs
-/// (`,`, decimal point, ISO 8601 with the offset from UTC).
-enum class CsvForm : quint8 { RussianExcel, Iso };
-
-/// One row for every moment in from ≤ t < to at which a curve has a bucket, one column for each curve, three where a
-/// bucket is a stretch: mean, min, max. A field without a valid value is empty. UTF-8, lines end with CRLF. Pure.
-QByteArray trendCsv(const QList<CsvCurve> &curves, const TimeSpan &span, CsvForm form, const QTimeZone &zone);
+/// The curves as every table of the program: one row for every moment in from ≤ t < to at which one of them has a valid
+/// value, three columns where a bucket is a stretch. Pure.
+QByteArray trendCsv(const QList<CsvCurve> &curves, const TimeSpan &span, ExportFormat format, const QTimeZone &zone);
 
 } // namespace gorizont

@@ -2,14 +2,11 @@
 
 #include "ui/models/colours.h"
 #include "ui/plots/cursorpair.h"
-#include "ui/plots/cursorpanel.h"
 #include "ui/plots/curvechooser.h"
-#include "ui/plots/plottime.h"
 #include "ui/plots/rangeactions.h"
 #include "ui/plots/trendplot.h"
 
 #include <QComboBox>
-#include <QLabel>
 #include <QTimer>
 
 namespace gorizont {
@@ -27,6 +24,7 @@ TrendsPage::TrendsPage(SensorRegistry &registry, SeriesSource source, QWidget *p
     , m_source(std::move(source))
     , m_feed(new SeriesFeed(std::move(clock), this))
 {
+    setObjectName(QStringLiteral("trendsPage"));
     build();
     connectParts();
     m_feed->setSource(m_source, true);
@@ -54,6 +52,7 @@ void TrendsPage::connectParts()
     connect(m_plot, &TimePlot::beginningWanted, this, &TrendsPage::showBeginning);
     connect(m_plot, &TimePlot::movedByHand, this, &TrendsPage::leaveEdge);
     connect(m_cursors, &CursorPair::moved, this, &TrendsPage::updateCursors);
+    connect(&m_overview, &QFutureWatcherBase::finished, this, &TrendsPage::takeOverview);
 }
 
 /// Whoever zooms at the edge stays there; whoever leaves it is left alone.
@@ -178,12 +177,13 @@ void TrendsPage::drawHistory()
 
 void TrendsPage::drawLive(const QList<SeriesKey> &keys)
 {
+    if (!isVisible()) {
+        return; // showEvent() draws all
+    }
     for (const SeriesKey &key : keys) {
         m_plot->append(key, m_feed->live(key));
     }
-    if (isVisible()) {
-        draw();
-    }
+    draw();
 }
 
 void TrendsPage::draw()
@@ -201,71 +201,21 @@ void TrendsPage::setUnit(TiltUnit unit)
     applyCurves();
 }
 
-Series TrendsPage::whole(const SeriesKey &key) const
-{
-    Series series = m_feed->history(key);
-    const UtcTime end = series.buckets.isEmpty() ? UtcTime::min() : series.buckets.last().from + series.step;
-    for (const SeriesBucket &bucket : m_feed->live(key)) {
-        if (bucket.from > end) {
-            series.buckets.append(bucket);
-        }
-    }
-    return series;
-}
-
-void TrendsPage::showCursors(bool isShown)
-{
-    m_readout->setVisible(isShown);
-    m_cursors->setShown(isShown);
-}
-
-void TrendsPage::updateCursors()
-{
-    if (!m_cursors->isShown()) {
-        return;
-    }
-    QList<CursorModel::Row> rows;
-    for (const TrendCurve &curve : m_drawn) {
-        rows.append(cursorRow(curve, whole(curve.key), m_cursors->first(), m_cursors->second()));
-    }
-    m_readout->setRows(rows, m_unit);
-    m_readout->setMoments(m_cursors->first(), m_cursors->second());
-}
-
-void TrendsPage::updateHint()
-{
-    if (curves().isEmpty()) {
-        m_hint->setText(
-            tr("Nothing is drawn yet. Tick values in the list on the left, or drag a sensor from the tree into "
-               "this field."));
-    } else if (m_feed->isWaiting() || m_plot->hasValues()) {
-        m_hint->clear();
-    } else {
-        m_hint->setText(
-            tr("There are no values in this span. Choose a longer span, or move to another time by dragging."));
-    }
-    m_hint->setVisible(!m_hint->text().isEmpty());
-}
-
-void TrendsPage::updateTexts()
-{
-    updateHint();
-    const TimeSpan shown = m_plot->span();
-    if (m_feed->hasFailed()) {
-        m_state->setText(tr("The archive does not answer; only what comes now is drawn. The journal says why."));
-    } else if (m_feed->isWaiting()) {
-        m_state->setText(tr("Reading…"));
-    } else {
-        const QString seen = tr("%1 – %2").arg(plottext::moment(shown.from), plottext::moment(shown.to));
-        m_state->setText(m_files ? tr("%1   Old files: %2").arg(seen, m_filesPath) : seen);
-    }
-}
-
 void TrendsPage::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     m_tick->start();
+    drawHistory();
     advance();
+}
+
+/// The curves have other colours on a dark background.
+void TrendsPage::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_plot) {
+        applyCurves();
+    }
 }
 
 void TrendsPage::hideEvent(QHideEvent *event)

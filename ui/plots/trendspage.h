@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/history/historysource.h"
 #include "core/registry/sensorregistry.h"
 #include "ui/plots/plottext.h"
 #include "ui/plots/seriesfeed.h"
 #include "ui/plots/trendlayouts.h"
 
+#include <QFutureWatcher>
 #include <QWidget>
 
 class QAction;
@@ -64,6 +66,7 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void changeEvent(QEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
 
@@ -89,6 +92,7 @@ private:
     Series whole(const SeriesKey &key) const; ///< history and edge
 
     void askOldFiles();
+    void takeOverview();
     void showOldFiles(const QString &path, const TimeSpan &span, SeriesSource source);
     void showBeginning();
     void showEnd();
@@ -121,6 +125,8 @@ private:
     std::optional<TimeSpan> m_files; ///< of the old files that are open; empty: none are
     QString m_filesPath;
     double m_gravity = 9.81347;
+    HistoryFolder m_folder; ///< that is being looked into
+    QFutureWatcher<HistoryOverview> m_overview;
 };
 
 } // namespace gorizont

@@ -57,15 +57,18 @@ bool TrendsPage::exportTo(const QString &path, Export form)
     case Export::ExcelCsv:
     case Export::IsoCsv: break;
     }
+    const ExportFormat format = form == Export::ExcelCsv ? ExportFormat::CsvRussian : ExportFormat::CsvIso;
     QList<CsvCurve> table;
     for (const TrendCurve &curve : m_drawn) {
-        const Quantity quantity = curve.key.quantity;
+        const auto index = static_cast<std::size_t>(m_registry.indexOf(curve.key.number));
+        const Series series = whole(curve.key);
         table.append(
-            {curve.title, plottext::unitOf(plottext::axisOf(quantity), m_unit), plottext::scaleOf(quantity, m_unit),
-             whole(curve.key)});
+            {csvColumn(
+                 m_registry.sensors()[index].config, curve.key.quantity, format, series.step.count() > 0,
+                 m_unit == TiltUnit::Degrees),
+             series});
     }
-    const CsvForm csv = form == Export::ExcelCsv ? CsvForm::RussianExcel : CsvForm::Iso;
-    return writeWhole(path, trendCsv(table, span, csv, QTimeZone::systemTimeZone()));
+    return writeWhole(path, trendCsv(table, span, format, QTimeZone::systemTimeZone()));
 }
 
 /// Returns at once; the file is written when a name has been chosen.

@@ -1,6 +1,5 @@
 // The page of trends on a folder of old files instead of the archive.
 
-#include "core/history/historysource.h"
 #include "ui/plots/trendplot.h"
 #include "ui/plots/trendspage.h"
 
@@ -42,25 +41,28 @@ void TrendsPage::askOldFiles()
 /// Returns at once; the files are shown when the folder has been looked into.
 void TrendsPage::openOldFiles(const QString &path)
 {
-    HistoryFolder folder;
-    folder.path = path;
-    folder.gravity = m_gravity;
+    m_folder = {};
+    m_folder.path = path;
+    m_folder.gravity = m_gravity;
     for (const SensorRegistry::Sensor &sensor : m_registry.sensors()) {
-        folder.sensors.append(sensor.config);
+        m_folder.sensors.append(sensor.config);
     }
-    lookInto(folder).then(this, [this, folder](const HistoryOverview &overview) {
-        if (overview.span) {
-            showOldFiles(folder.path, *overview.span, historySource(folder));
-        } else if (overview.foreign > 0) {
-            tell(tr("The records in %1 hold another number of sensors than this configuration, so nobody knows whose "
-                    "they "
-                    "are. Start the program with the configuration they were made with.")
-                     .arg(QDir::toNativeSeparators(folder.path)));
-        } else {
-            tell(tr("There are no old records in %1. Choose the folder with files like 2018_02_data.txt.")
-                     .arg(QDir::toNativeSeparators(folder.path)));
-        }
-    });
+    m_overview.setFuture(lookInto(m_folder));
+}
+
+void TrendsPage::takeOverview()
+{
+    const HistoryOverview overview = m_overview.result();
+    const QString path = QDir::toNativeSeparators(m_folder.path);
+    if (overview.span) {
+        showOldFiles(m_folder.path, *overview.span, historySource(m_folder));
+    } else if (overview.foreign > 0) {
+        tell(tr("The records in %1 hold another number of sensors than this configuration, so nobody knows whose they "
+                "are. Start the program with the configuration they were made with.")
+                 .arg(path));
+    } else {
+        tell(tr("There are no old records in %1. Choose the folder with files like 2018_02_data.txt.").arg(path));
+    }
 }
 
 void TrendsPage::showOldFiles(const QString &path, const TimeSpan &span, SeriesSource source)

@@ -25,6 +25,7 @@ void TrendsPage::build()
     m_plot = new TrendPlot(this);
     m_plot->setObjectName(QStringLiteral("trendPlot"));
     m_plot->setAccessibleName(tr("Trend"));
+    setFocusProxy(m_plot);
     m_hint = new QLabel(m_plot);
     m_hint->setObjectName(QStringLiteral("trendHint"));
     m_hint->setAlignment(Qt::AlignCenter);
@@ -44,6 +45,7 @@ void TrendsPage::build()
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     buildToolBar(bar);
     auto *rows = new QSplitter(Qt::Vertical, this);
+    rows->setObjectName(QStringLiteral("trendRows"));
     rows->addWidget(m_plot);
     rows->addWidget(m_readout);
     rows->setStretchFactor(0, 1);

@@ -9,9 +9,6 @@
 #include "ui/plots/timeticker.h"
 
 #include <QComboBox>
-#include <QFuture>
-#include <QPromise>
-#include <QThreadPool>
 #include <QToolBar>
 
 #include <limits>
@@ -20,30 +17,9 @@ namespace gorizont {
 
 namespace {
 
-constexpr int mostPeaks = 3;
 constexpr int fullRate = 0;
-
-using Analyses = std::pair<WaveformAnalysis, WaveformAnalysis>;
-
-WaveformAnalysis analysisOf(const Series &series, const TimeSpan &seen, const SpectrumSettings &settings)
-{
-    const SampleStretches samples = sampleStretches(trimmed(series, seen));
-    WaveformAnalysis analysis{spectrum(samples.stretches, samples.rate, settings), {}};
-    analysis.peaks = peaks(analysis.spectrum, mostPeaks);
-    return analysis;
-}
-
-QFuture<Analyses> analysed(const Series &x, const Series &y, const TimeSpan &seen, const SpectrumSettings &settings)
-{
-    auto promise = std::make_shared<QPromise<Analyses>>();
-    promise->start();
-    QFuture<Analyses> future = promise->future();
-    QThreadPool::globalInstance()->start([promise, x, y, seen, settings] {
-        promise->addResult(Analyses{analysisOf(x, seen, settings), analysisOf(y, seen, settings)});
-        promise->finish();
-    });
-    return future;
-}
+constexpr double airOfScale = 0.05; ///< above and below the samples
+constexpr double leastScale = 1e-3; ///< mm/s²
 
 } // namespace
 
@@ -53,8 +29,10 @@ WaveformPage::WaveformPage(SensorRegistry &registry, SeriesSource source, QWidge
     , m_wave(new QCustomPlot(m_content))
     , m_lines(new QCustomPlot(m_content))
 {
+    setObjectName(QStringLiteral("waveformPage"));
     buildPlots();
     buildChoices();
+    connect(&m_analysis, &QFutureWatcherBase::finished, this, &WaveformPage::takeAnalysis);
     auto *rows = new QVBoxLayout(m_content);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
@@ -69,6 +47,8 @@ void WaveformPage::buildPlots()
 {
     m_wave->setObjectName(QStringLiteral("wavePlot"));
     m_wave->setAccessibleName(tr("Samples"));
+    m_wave->setFocusPolicy(Qt::StrongFocus);
+    setFocusProxy(m_wave);
     m_lines->setObjectName(QStringLiteral("spectrumPlot"));
     m_lines->setAccessibleName(tr("Spectrum"));
     m_wave->xAxis->setTicker(QSharedPointer<TimeTicker>::create());
@@ -80,12 +60,31 @@ void WaveformPage::buildPlots()
         plot->setPlottingHints(QCP::PlottingHints(QCP::phFastPolylines) | QCP::phCacheLabels);
         plot->legend->setVisible(true);
         for (const Quantity quantity : {Quantity::SampleX, Quantity::SampleY}) {
-            const CurveStyle style = curveStyle(quantity == Quantity::SampleX ? 0 : 1, colours::isDark(palette()));
-            QCPGraph *graph = plot->addGraph();
-            graph->setName(plottext::quantity(quantity));
-            graph->setPen(QPen(style.colour, 1, style.line));
+            plot->addGraph()->setName(plottext::quantity(quantity));
+        }
+    }
+    dress();
+}
+
+/// In the colours of the desktop, which may change while the program runs.
+void WaveformPage::dress()
+{
+    for (QCustomPlot *plot : {m_wave, m_lines}) {
+        for (int axis = 0; axis < plot->graphCount(); ++axis) {
+            const CurveStyle style = curveStyle(axis, colours::isDark(palette()));
+            plot->graph(axis)->setPen(QPen(style.colour, 1, style.line));
         }
         plotlook::dress(*plot);
+        plot->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+void WaveformPage::changeEvent(QEvent *event)
+{
+    SpanPage::changeEvent(event);
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) && m_lines) {
+        dress();
+        takeAnalysis(); // the labels have the colours of their curves
     }
 }
 
@@ -132,7 +131,14 @@ void WaveformPage::drawSamples(QCPGraph *graph, const Series &series)
         }
         points.append({toKey(bucket.from), bucket.valid > 0 ? bucket.mean : nothing});
     }
-    graph->data()->set(points);
+    graph->data()->set(points, true);
+}
+
+/// Of a span that moves on with the clock only the length counts: its samples come with the next answer.
+bool WaveformPage::isOtherSpan() const
+{
+    const TimeSpan seen = span();
+    return isFollowing() ? seen.to - seen.from != m_analysed.to - m_analysed.from : seen != m_analysed;
 }
 
 void WaveformPage::draw()
@@ -140,27 +146,51 @@ void WaveformPage::draw()
     m_wave->xAxis->setRange(toKey(span().from), toKey(span().to));
     const Series x = first();
     const Series y = second();
-    if (x != m_x || y != m_y) {
+    const bool isOther = x != m_x || y != m_y;
+    if (isOther) {
         m_x = x;
         m_y = y;
         drawSamples(m_wave->graph(0), m_x);
         drawSamples(m_wave->graph(1), m_y);
-        m_wave->yAxis->rescale();
-        m_wave->yAxis->scaleRange(1.1);
+    }
+    if (isOther || isOtherSpan()) {
+        fitSamples();
         analyse();
     }
     m_wave->replot(QCustomPlot::rpQueuedReplot);
     setNote(m_note);
 }
 
+/// To what is seen: the answer reaches beyond it.
+void WaveformPage::fitSamples()
+{
+    std::optional<QCPRange> seen;
+    for (const QCPGraph *graph : {m_wave->graph(0), m_wave->graph(1)}) {
+        bool isFound = false;
+        const QCPRange range = graph->getValueRange(isFound, QCP::sdBoth, m_wave->xAxis->range());
+        if (isFound) {
+            seen = seen ? seen->expanded(range) : range;
+        }
+    }
+    if (seen) {
+        const double size = std::max(seen->size(), leastScale) * (1 + 2 * airOfScale);
+        m_wave->yAxis->setRange(seen->center() - size / 2, seen->center() + size / 2);
+    }
+}
+
 void WaveformPage::analyse()
 {
-    const int question = ++m_question;
-    analysed(m_x, m_y, span(), m_settings).then(this, [this, question](const Analyses &result) {
-        if (question == m_question) {
-            showAnalysis(result.first, result.second);
-        }
-    });
+    m_analysed = span();
+    m_analysis.cancel();
+    m_analysis.setFuture(analysed(m_x, m_y, m_analysed, m_settings));
+}
+
+void WaveformPage::takeAnalysis()
+{
+    if (m_analysis.isFinished() && !m_analysis.isCanceled() && m_analysis.future().resultCount() > 0) {
+        const WaveformAnalyses result = m_analysis.result();
+        showAnalysis(result.first, result.second);
+    }
 }
 
 void WaveformPage::drawSpectrum(QCPGraph *graph, const Spectrum &spectrum)

@@ -1,23 +1,17 @@
 #pragma once
 
-#include "core/analysis/samplestretches.h"
-#include "core/analysis/spectrumpeaks.h"
 #include "ui/plots/spanpage.h"
+#include "ui/plots/waveformanalysis.h"
+
+#include <QFutureWatcher>
 
 class QCPGraph;
 class QCustomPlot;
 
 namespace gorizont {
 
-/// Everything that is computed of the samples of one axis.
-struct WaveformAnalysis
-{
-    Spectrum spectrum;
-    QList<SpectrumPeak> peaks; ///< the strongest first
-};
-
-/// The page <Ускорения>: the samples of an accelerometer, the spectrum of both axes and its strongest frequencies. It is
-/// computed on a thread of the global pool. GUI thread.
+/// The page <Колебания>: the samples of an accelerometer, the spectrum of both axes and its strongest frequencies. GUI
+/// thread.
 class WaveformPage : public SpanPage
 {
     Q_OBJECT
@@ -28,22 +22,28 @@ public:
 
 protected:
     void draw() override;
+    void changeEvent(QEvent *event) override;
 
 private:
     void buildPlots();
+    void dress();
     void buildChoices();
     void drawSamples(QCPGraph *graph, const Series &series);
+    bool isOtherSpan() const;
+    void fitSamples();
     void analyse();
+    void takeAnalysis();
     void showAnalysis(const WaveformAnalysis &x, const WaveformAnalysis &y);
     void drawSpectrum(QCPGraph *graph, const Spectrum &spectrum);
 
     QWidget *m_content;
     QCustomPlot *m_wave;
-    QCustomPlot *m_lines; ///< of the spectrum
+    QCustomPlot *m_lines = nullptr; ///< of the spectrum
     Series m_x; ///< as drawn and analysed last
     Series m_y;
+    TimeSpan m_analysed; ///< the span that was seen when they were
     SpectrumSettings m_settings;
-    int m_question = 0; ///< only the last analysis counts
+    QFutureWatcher<WaveformAnalyses> m_analysis; ///< the last that was begun; it ends with the page
     QString m_note;
 };
 

@@ -37,9 +37,11 @@ XyPage::XyPage(SensorRegistry &registry, SeriesSource source, QWidget *parent, S
     : SpanPage(registry, std::move(source), {Quantity::TiltX, Quantity::TiltY}, mostPoints, parent, std::move(clock))
     , m_plot(new QCustomPlot(this))
 {
+    setObjectName(QStringLiteral("xyPage"));
     buildPlot();
     m_start = addMark(tr("start"), true);
     m_end = addMark(tr("end"), false);
+    dress();
     auto *units = new QComboBox(bar());
     units->setObjectName(QStringLiteral("tiltUnit"));
     units->setToolTip(tr("In what angles are drawn"));
@@ -59,6 +61,8 @@ void XyPage::buildPlot()
 {
     m_plot->setObjectName(QStringLiteral("xyPlot"));
     m_plot->setAccessibleName(tr("Way of the axis"));
+    m_plot->setFocusPolicy(Qt::StrongFocus);
+    setFocusProxy(m_plot);
     const QCPColorGradient gradient = timeGradient();
     for (int i = 0; i < parts; ++i) {
         auto *part = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
@@ -71,8 +75,6 @@ void XyPage::buildPlot()
     m_times->setGradient(gradient);
     m_times->axis()->setTicker(QSharedPointer<TimeTicker>::create());
     m_times->setBarWidth(12);
-    plotlook::dress(*m_plot);
-    plotlook::dress(*m_times->axis(), *m_plot);
     m_plot->xAxis->setNumberPrecision(7);
     m_plot->yAxis->setNumberPrecision(7);
     connect(m_plot, &QCustomPlot::afterLayout, this, &XyPage::scaleEqually);
@@ -81,18 +83,37 @@ void XyPage::buildPlot()
 XyPage::Mark XyPage::addMark(const QString &name, bool isStart)
 {
     Mark mark{new QCPItemTracer(m_plot), new QCPItemText(m_plot)};
-    const QColor text = m_plot->palette().color(QPalette::Text);
     mark.point->setStyle(isStart ? QCPItemTracer::tsCircle : QCPItemTracer::tsSquare);
-    mark.point->setPen(QPen(text, 2));
-    mark.point->setBrush(isStart ? m_plot->palette().color(QPalette::Base) : text);
     mark.point->setSize(10);
     mark.name->setText(name);
-    mark.name->setColor(text);
     mark.name->setPositionAlignment(isStart ? Qt::AlignRight | Qt::AlignBottom : Qt::AlignLeft | Qt::AlignTop);
     mark.name->position->setParentAnchor(mark.point->position);
     mark.name->position->setType(QCPItemPosition::ptAbsolute);
     mark.name->position->setCoords(isStart ? -7 : 7, isStart ? -3 : 3);
     return mark;
+}
+
+/// In the colours of the desktop, which may change while the program runs.
+void XyPage::dress()
+{
+    const QColor text = palette().color(QPalette::Text);
+    plotlook::dress(*m_plot);
+    plotlook::dress(*m_times->axis(), *m_plot);
+    for (const Mark &mark : {m_start, m_end}) {
+        mark.point->setPen(QPen(text, 2));
+        mark.name->setColor(text);
+    }
+    m_start.point->setBrush(palette().color(QPalette::Base));
+    m_end.point->setBrush(text);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void XyPage::changeEvent(QEvent *event)
+{
+    SpanPage::changeEvent(event);
+    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) && m_end.point) {
+        dress();
+    }
 }
 
 void XyPage::place(const Mark &mark, const QList<HodographPoint> &points, qsizetype at)

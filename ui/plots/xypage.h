@@ -14,7 +14,7 @@ class QCustomPlot;
 
 namespace gorizont {
 
-/// The page <X–Y>: the way of a sensor's axis over a span, its colour telling the time, both scales equal, its first and
+/// The page <Годограф>: the way of a sensor's axis over a span, its colour telling the time, both scales equal, its first and
 /// last place marked. GUI thread.
 class XyPage : public SpanPage
 {
@@ -25,6 +25,7 @@ public:
 
 protected:
     void draw() override;
+    void changeEvent(QEvent *event) override;
 
 private:
     struct Mark
@@ -33,6 +34,7 @@ private:
         QCPItemText *name = nullptr;
     };
     Mark addMark(const QString &name, bool isStart);
+    void dress();
     void place(const Mark &mark, const QList<HodographPoint> &points, qsizetype at);
     void buildPlot();
     void drawWay(const QList<HodographPoint> &points);
