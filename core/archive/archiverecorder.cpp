@@ -177,6 +177,9 @@ void ArchiveRecorder::take(const ArchiveInbox::Contents &contents, UtcTime now)
             m_waiting.blocks.append(block);
         }
     }
+    for (const Backfill &backfill : contents.backfills) {
+        takeBackfill(backfill);
+    }
     m_waiting.entries += contents.entries;
     m_ledger.tick(now);
     noteDropped(contents);
@@ -192,6 +195,12 @@ void ArchiveRecorder::noteDropped(const ArchiveInbox::Contents &contents)
                 .arg(contents.dropped.size())
                 .arg(contents.blocksDropped)
                 .arg(contents.entriesDropped));
+    }
+    if (contents.backfillsDropped > 0) {
+        m_note(
+            JournalKind::Error,
+            tr("The archive could not be written for too long: records that sensors had kept are not in it. Read them "
+               "again."));
     }
 }
 
@@ -304,6 +313,7 @@ bool ArchiveRecorder::writeBatches(const QList<ArchiveBatch> &batches, const Spo
 {
     ArchiveDatabase &database = m_store.database();
     const QHash<int, KnownSensor> knownBefore = m_known;
+    m_backfills.setAdded(m_backfilled);
     QList<qint64> rows;
     bool isGood = database.begin();
     for (const ArchiveBatch &batch : batches) {
@@ -313,10 +323,12 @@ bool ArchiveRecorder::writeBatches(const QList<ArchiveBatch> &batches, const Spo
     if (!isGood || (mark.spool != 0 && !m_store.setApplied(mark)) || !database.commit()) {
         fail();
         database.rollback();
+        m_rollups.forget();
         m_known = knownBefore;
         return false;
     }
     m_applied = mark;
+    m_backfilled = m_backfills.added();
     for (qsizetype i = 0; i < batches.size(); ++i) {
         m_lastRow = std::max(m_lastRow, rows.at(i));
         for (const KeptReading &reading : batches.at(i).readings) {
@@ -361,7 +373,12 @@ bool ArchiveRecorder::writeBatch(const ArchiveBatch &waiting, qint64 *row)
         }
     }
     for (const Gap &gap : waiting.gaps) {
-        if (!m_store.putGap(gap)) {
+        if (!m_gaps.lay(gap)) {
+            return false;
+        }
+    }
+    for (const Backfill &backfill : waiting.backfills) {
+        if (!writeBackfill(backfill, waiting.time)) {
             return false;
         }
     }

@@ -51,6 +51,16 @@ void ArchiveWriter::appendJournal(const JournalEntry &entry)
     m_inbox.put(entry);
 }
 
+void ArchiveWriter::appendRecords(
+    int number, const QList<DeviceRecord> &records, const QString &source, const QList<Reading> &readings)
+{
+    Backfill backfill{number, source, {}, records, {}, {}};
+    for (const Reading &reading : readings) {
+        backfill.readings.append(keptReading(reading, readingQuantities()));
+    }
+    m_inbox.put(backfill);
+}
+
 void ArchiveWriter::start()
 {
     flush();

@@ -29,6 +29,13 @@ public Q_SLOTS:
     void updateLine(const gorizont::LineStatus &status);
     void appendBlock(const gorizont::SampleBlock &block);
     void appendJournal(const gorizont::JournalEntry &entry);
+    /// What sensor \a number kept in a memory of its own: each record goes in once, by its time and name, and the gaps
+    /// that they cover are marked as filled from \a source (filledParts() in gapmath.h says which). \a readings: what the
+    /// records say, corrected like every reading; where the archive knows nothing of the sensor the curves show them, and
+    /// then they decide what is filled. The same again changes nothing.
+    void appendRecords(
+        int number, const QList<gorizont::DeviceRecord> &records, const QString &source,
+        const QList<gorizont::Reading> &readings = {});
 
     /// Opens the store, and commits every commitInterval.
     void start();
