@@ -43,6 +43,21 @@ std::chrono::microseconds periodOf(const Backfill &backfill, const std::vector<U
         backfill.period.count() > 0 ? backfill.period : usualDistance(times), shortestPeriod, longestPeriod);
 }
 
+/// What \a times fill of \a gap.
+QList<TimeSpan> partsOf(
+    const GapBook::Unknown &gap, const std::vector<UtcTime> &times, std::chrono::microseconds period)
+{
+    TimeSpan span = gap.span;
+    if (gap.goesOn) {
+        span.to += 2 * period; // nothing is known there that the last value could reach
+    }
+    QList<TimeSpan> parts = filledParts(span, times, period);
+    if (!parts.isEmpty()) {
+        parts.last().to = std::min(parts.last().to, gap.span.to);
+    }
+    return parts;
+}
+
 std::chrono::microseconds timeOf(qsizetype samples, double rate)
 {
     return std::chrono::microseconds(std::llround(static_cast<double>(samples) * 1e6 / rate));
@@ -119,7 +134,7 @@ bool BackfillBook::addRecords(const Backfill &backfill, UtcTime now)
     const auto unknown = m_gaps.unknown(backfill.number, {times->front(), times->back() + 2 * period}, now);
     QList<TimeSpan> parts;
     for (const GapBook::Unknown &gap : unknown.value_or(QList<GapBook::Unknown>())) {
-        parts += filledParts(gap.span, *times, period);
+        parts += partsOf(gap, *times, period);
     }
     return unknown && m_gaps.fill(backfill.number, parts, backfill.source);
 }
@@ -147,7 +162,7 @@ bool BackfillBook::addReadings(const Backfill &backfill, Sensor &sensor, UtcTime
             return reading.time < gap.span.from || reading.time >= gap.span.to
                 || (reading.time == gap.span.from && !isFirstFresh);
         });
-        parts += filledParts(gap.span, timesOf(inside), period);
+        parts += partsOf(gap, timesOf(inside), period);
         fresh += inside;
     }
     return unknown && write(backfill.number, fresh, sensor) && m_gaps.fill(backfill.number, parts, backfill.source);

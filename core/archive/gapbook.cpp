@@ -58,8 +58,9 @@ std::optional<QList<GapBook::Unknown>> GapBook::unknown(int number, const TimeSp
             filledUntil = to;
         } else if (!all.isEmpty() && all.last().span.to >= gap.from) {
             all.last().span.to = std::max(all.last().span.to, to);
+            all.last().goesOn = all.last().goesOn || !gap.to;
         } else if (gap.from < to) {
-            all.append({{gap.from, to}, filledUntil == gap.from});
+            all.append({{gap.from, to}, filledUntil == gap.from, !gap.to});
         }
     }
     return all;

@@ -26,6 +26,7 @@ public:
     {
         TimeSpan span;
         bool followsFilled = false; ///< otherwise it begins with a valid value
+        bool goesOn = false; ///< otherwise it ends with one
     };
     /// What \a span touches of them. A gap that goes on does so until \a now.
     std::optional<QList<Unknown>> unknown(int number, const TimeSpan &span, UtcTime now);

@@ -102,6 +102,14 @@ int rename(const char *from, const char *to) noexcept
 {
     return fails(DiskCall::Rename, from) ? -1 : static_cast<int>(::syscall(SYS_rename, from, to));
 }
+
+/// What QFile::rename() calls.
+int renameat2(int fromFolder, const char *from, int toFolder, const char *to, unsigned flags) noexcept
+{
+    return fails(DiskCall::Rename, from)
+        ? -1
+        : static_cast<int>(::syscall(SYS_renameat2, fromFolder, from, toFolder, to, flags));
+}
 }
 
 namespace gorizont::test {
