@@ -70,6 +70,7 @@ private:
     {
         QList<Quantity> quantities;
         ValueOffsets offsets;
+        bool isTurned = false; ///< RotX: the tilt is on no grid of the device
     };
     /// What the spool held up to some place.
     struct Spooled

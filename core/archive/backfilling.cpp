@@ -1,4 +1,4 @@
-// The half of ArchiveRecorder that takes in what was measured long ago.
+// The part of ArchiveRecorder that takes in what was measured long ago.
 
 #include "core/archive/archiverecorder.h"
 

@@ -21,7 +21,7 @@ bool isDiskFull = false;
 
 bool isArchive(const char *path)
 {
-    return std::strstr(path, "archive.sqlite") != nullptr;
+    return std::strstr(path, "archive.sqlite") != nullptr || std::strstr(path, "archive.spool") != nullptr;
 }
 
 bool isArchive(int descriptor)
@@ -72,6 +72,11 @@ ssize_t pwrite64(int descriptor, const void *bytes, size_t count, off_t offset)
 ssize_t pwrite(int descriptor, const void *bytes, size_t count, off_t offset)
 {
     return pwrite64(descriptor, bytes, count, offset);
+}
+
+ssize_t write(int descriptor, const void *bytes, size_t count)
+{
+    return fails(DiskCall::Write, descriptor) ? -1 : ::syscall(SYS_write, descriptor, bytes, count);
 }
 
 int fdatasync(int descriptor)

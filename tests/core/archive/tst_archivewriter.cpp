@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <cmath>
 #include <map>
 
 using namespace gorizont;
@@ -36,6 +37,7 @@ private Q_SLOTS:
     void keepsEvents();
     void keepsRecordsOnce();
     void leavesInvalidValuesOut();
+    void roundsTurnedAxes();
     void refusesASecondWriter();
     void explainsAFolderThatCannotBeWritten();
     void refusesTheTablesOfTheFuture();
@@ -222,6 +224,36 @@ void TestArchiveWriter::leavesInvalidValuesOut()
     const SeriesBucket bucket = bench.ask({2, Quantity::TiltX}, noon, noon + 10min, 10).buckets.at(5);
     QCOMPARE(bucket.count, 60U);
     QCOMPARE(bucket.valid, 40U);
+}
+
+/// A sensor with RotX measures in no steps: its tilt is kept in 1/4096 of an arc-second, and so is short.
+void TestArchiveWriter::roundsTurnedAxes()
+{
+    ArchiveConfig config = archiveConfig(file());
+    config.lines[0].sensors[0].rotationX = 30;
+    config.lines[0].sensors[0].offsetX = 0.1;
+    ArchiveBench bench(config);
+    bench.open(noon);
+    for (int second = 0; second < 600; ++second) {
+        Reading reading = tiltReading(1, noon + second * 1s, 0);
+        reading.tilt = Tilt{1 + 1.25 / 4096 + second, 100.1 + 0.003 * std::sin(second)};
+        bench.writer->updateReadings({reading});
+        reading.number = 2;
+        bench.writer->updateReadings({reading});
+    }
+    bench.writer->flush();
+    bench.close();
+    const Buckets turned = bench.fullRate(tiltX, noon, noon + 1h);
+    QCOMPARE(turned.size(), 600);
+    QCOMPARE(turned.at(7).mean, 8.000244140625); // 8 + 1/4096
+    QCOMPARE(bench.fullRate({2, Quantity::TiltX}, noon, noon + 1h).at(7).mean, 8 + 1.25 / 4096);
+    ArchiveDatabase database(bench.config, ArchiveDatabase::Access::Read);
+    QVERIFY(database.open());
+    const auto size = [&database](int number) {
+        return database.single(QStringLiteral("SELECT sum(length(data)) FROM chunk WHERE number = ?"), {number})
+            .toInt();
+    };
+    QVERIFY2(size(1) > 0 && size(1) < 600 * 2 && size(2) > 600 * 5, qPrintable(QString::number(size(1))));
 }
 
 void TestArchiveWriter::refusesASecondWriter()
