@@ -1,5 +1,6 @@
 #include "app/tool/archivecommand.h"
 
+#include "app/tool/importcommand.h"
 #include "app/tool/output.h"
 #include "app/tool/text.h"
 #include "core/archive/inspection.h"
@@ -15,17 +16,23 @@ namespace {
 void describe(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(
-        Text::tr("Looks after the archive of Gorizont Server; the server may run meanwhile.") + u"\n\n"_s
-        + Text::tr("check          reads all of it and compares every check sum\n"
-                   "stat           prints what is in it\n"
-                   "backup TARGET  copies it as it is at this moment to a file that does not exist yet")
+        Text::tr(
+            "Looks after the archive of Gorizont Server; the server may run meanwhile, only not for import-history.")
+        + u"\n\n"_s
+        + Text::tr("check               reads all of it and compares every check sum\n"
+                   "stat                prints what is in it\n"
+                   "backup TARGET       copies it as it is at this moment to a file that does not exist yet\n"
+                   "import-history DIR  takes over the text and binary files of the folder History where the archive "
+                   "knows nothing")
         + u"\n\n"_s
         + Text::tr("Exit codes: 0 done; 1 it is damaged, or cannot be read or copied; 2 the command line is "
                    "wrong."));
-    parser.addPositionalArgument(u"command"_s, Text::tr("One of the commands above."), u"check|stat|backup TARGET"_s);
+    parser.addPositionalArgument(
+        u"command"_s, Text::tr("One of the commands above."), u"check|stat|backup TARGET|import-history DIR"_s);
     parser.addOption(
         {u"archive"_s, Text::tr("The file; History/archive.sqlite if not given."), u"FILE"_s,
          u"History/archive.sqlite"_s});
+    describeImport(parser);
     parser.addOption({u"json"_s, Text::tr("Prints JSON.")});
     parser.addOption({u"lang"_s, Text::tr("Language of the program."), u"ru|en"_s});
     parser.addOption({u"help"_s, Text::tr("Prints this.")});
@@ -98,12 +105,17 @@ ExitCode runArchive(const QStringList &arguments)
     const QStringList words = parser.positionalArguments();
     const QString command = words.value(0);
     const bool isBackup = command == u"backup" && words.size() == 2;
+    const bool isImport = command == u"import-history" && words.size() == 2;
     const bool isReport = (command == u"check" || command == u"stat") && words.size() == 1;
-    if (!isParsed || (!isBackup && !isReport)) {
+    if (!isParsed || (!isBackup && !isReport && !isImport)) {
         complain(
-            isParsed ? Text::tr("archive takes check, stat or backup TARGET; see gorizont-tool archive --help")
+            isParsed ? Text::tr(
+                "archive takes check, stat, backup TARGET or import-history DIR; see gorizont-tool archive --help")
                      : parser.errorText());
         return ExitUsage;
+    }
+    if (isImport) {
+        return importHistory(parser, words.at(1));
     }
     ArchiveConfig config;
     config.file = parser.value(u"archive"_s);

@@ -63,6 +63,16 @@ void ArchiveInbox::put(const JournalEntry &entry)
     }
 }
 
+void ArchiveInbox::put(const Backfill &backfill)
+{
+    const QMutexLocker lock(&m_mutex);
+    m_contents.backfills.append(backfill);
+    if (m_contents.backfills.size() > mostBackfills) {
+        m_contents.backfills.removeFirst();
+        ++m_contents.backfillsDropped;
+    }
+}
+
 ArchiveInbox::Contents ArchiveInbox::take()
 {
     const QMutexLocker lock(&m_mutex);

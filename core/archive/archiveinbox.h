@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/archive/backfill.h"
 #include "core/values/journalentry.h"
 #include "core/values/linestatus.h"
 #include "core/values/reading.h"
@@ -21,6 +22,7 @@ public:
     static constexpr std::size_t mostReadings = 200'000;
     static constexpr qsizetype mostBlocks = 20'000; ///< of all sensors together
     static constexpr qsizetype mostEntries = 10'000;
+    static constexpr qsizetype mostBackfills = 1000;
 
     struct LineChange
     {
@@ -33,15 +35,18 @@ public:
         QList<LineChange> lines; ///< only changes of the state
         QList<SampleBlock> blocks;
         QList<JournalEntry> entries;
+        QList<Backfill> backfills;
         QHash<int, TimeSpan> dropped; ///< N → of what readings there was no room for
         qsizetype blocksDropped = 0;
         qsizetype entriesDropped = 0;
+        qsizetype backfillsDropped = 0;
     };
 
     void put(const Readings &batch);
     void put(const LineStatus &status, UtcTime now);
     void put(const SampleBlock &block);
     void put(const JournalEntry &entry);
+    void put(const Backfill &backfill);
 
     /// Everything; the inbox is empty then.
     Contents take();

@@ -3,7 +3,27 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <cmath>
+
 namespace gorizont {
+
+namespace {
+
+/// Axes that are turned make of the steps of a device, 1/256 of an arc-second or larger, numbers of 53 bits without a
+/// pattern, five times as long. Sixteenths of a step are 0.0002 arc-seconds, and short.
+KeptReading roundedTilt(KeptReading reading)
+{
+    constexpr double parts = 4096;
+    for (KeptValue &kept : reading.values) {
+        const bool isTilt = kept.quantity == Quantity::TiltX || kept.quantity == Quantity::TiltY;
+        if (isTilt && kept.value) {
+            kept.value = std::round(*kept.value * parts) / parts;
+        }
+    }
+    return reading;
+}
+
+} // namespace
 
 ArchiveRecorder::ArchiveRecorder(const ArchiveConfig &config, Note note)
     : m_config(config)
@@ -13,7 +33,9 @@ ArchiveRecorder::ArchiveRecorder(const ArchiveConfig &config, Note note)
 {
     for (const LineConfig &line : config.lines) {
         for (const SensorConfig &sensor : line.sensors) {
-            m_rules.insert(sensor.number, {quantitiesOf(sensor), {sensor.offsetX, sensor.offsetY, sensor.offsetT}});
+            m_rules.insert(
+                sensor.number,
+                {quantitiesOf(sensor), {sensor.offsetX, sensor.offsetY, sensor.offsetT}, sensor.rotationX != 0});
         }
     }
 }
@@ -169,13 +191,17 @@ void ArchiveRecorder::take(const ArchiveInbox::Contents &contents, UtcTime now)
         }
         m_ledger.add(reading);
         if (reading.isAnswer) {
-            m_waiting.readings.append(keptReading(reading, rules->quantities));
+            const KeptReading kept = keptReading(reading, rules->quantities);
+            m_waiting.readings.append(rules->isTurned ? roundedTilt(kept) : kept);
         }
     }
     for (const SampleBlock &block : contents.blocks) {
         if (m_rules.contains(block.number) && !block.x.isEmpty() && !block.y.isEmpty() && block.rate > 0) {
             m_waiting.blocks.append(block);
         }
+    }
+    for (const Backfill &backfill : contents.backfills) {
+        takeBackfill(backfill);
     }
     m_waiting.entries += contents.entries;
     m_ledger.tick(now);
@@ -192,6 +218,12 @@ void ArchiveRecorder::noteDropped(const ArchiveInbox::Contents &contents)
                 .arg(contents.dropped.size())
                 .arg(contents.blocksDropped)
                 .arg(contents.entriesDropped));
+    }
+    if (contents.backfillsDropped > 0) {
+        m_note(
+            JournalKind::Error,
+            tr("The archive could not be written for too long: records that sensors had kept are not in it. Read them "
+               "again."));
     }
 }
 
@@ -224,66 +256,6 @@ void ArchiveRecorder::close()
     m_lock.reset();
 }
 
-void ArchiveRecorder::startAnew()
-{
-    m_store.database().close();
-    m_rollups.forget();
-    m_known.clear();
-    m_open.forgetRows();
-    m_lastRow = 0;
-    m_isAnew = true;
-}
-
-void ArchiveRecorder::startSalvage(const QString &file)
-{
-    m_salvage = std::make_unique<Salvage>(file, m_config, !m_hasStarted);
-}
-
-/// False: the store failed; the same rows are tried again.
-bool ArchiveRecorder::salvage()
-{
-    if (!m_salvage) {
-        return true;
-    }
-    ArchiveDatabase &database = m_store.database();
-    const QHash<int, KnownSensor> knownBefore = m_known;
-    auto outcome = database.begin() ? m_salvage->step(m_store, m_rollups) : Salvage::Outcome::Failed;
-    const bool isGood = outcome != Salvage::Outcome::Failed && putSalvagedSensors() && database.commit();
-    if (!isGood) {
-        fail();
-        database.rollback();
-        m_rollups.forget();
-        m_salvage->undo();
-        m_known = knownBefore;
-        return false;
-    }
-    if (outcome == Salvage::Outcome::Done) {
-        m_note(
-            JournalKind::Info,
-            tr("What could be read of the damaged archive is in the new one: %1 rows.").arg(m_salvage->rescued()));
-        m_salvage.reset();
-    }
-    return true;
-}
-
-bool ArchiveRecorder::putSalvagedSensors()
-{
-    const QHash<int, UtcTime> from = m_salvage->knownFrom();
-    for (auto sensor = from.cbegin(); sensor != from.cend(); ++sensor) {
-        const auto known = m_known.constFind(sensor.key());
-        if (known != m_known.constEnd() && known->from <= *sensor) {
-            continue;
-        }
-        KnownSensor &earlier = m_known[sensor.key()];
-        earlier.from = *sensor;
-        earlier.until = std::max(earlier.until, *sensor);
-        if (!m_store.putSensor(sensor.key(), earlier)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool ArchiveRecorder::writeWaiting(UtcTime now)
 {
     m_waiting.time = now;
@@ -304,6 +276,7 @@ bool ArchiveRecorder::writeBatches(const QList<ArchiveBatch> &batches, const Spo
 {
     ArchiveDatabase &database = m_store.database();
     const QHash<int, KnownSensor> knownBefore = m_known;
+    m_backfills.setAdded(m_backfilled);
     QList<qint64> rows;
     bool isGood = database.begin();
     for (const ArchiveBatch &batch : batches) {
@@ -313,10 +286,12 @@ bool ArchiveRecorder::writeBatches(const QList<ArchiveBatch> &batches, const Spo
     if (!isGood || (mark.spool != 0 && !m_store.setApplied(mark)) || !database.commit()) {
         fail();
         database.rollback();
+        m_rollups.forget();
         m_known = knownBefore;
         return false;
     }
     m_applied = mark;
+    m_backfilled = m_backfills.added();
     for (qsizetype i = 0; i < batches.size(); ++i) {
         m_lastRow = std::max(m_lastRow, rows.at(i));
         for (const KeptReading &reading : batches.at(i).readings) {
@@ -361,85 +336,16 @@ bool ArchiveRecorder::writeBatch(const ArchiveBatch &waiting, qint64 *row)
         }
     }
     for (const Gap &gap : waiting.gaps) {
-        if (!m_store.putGap(gap)) {
+        if (!m_gaps.lay(gap)) {
+            return false;
+        }
+    }
+    for (const Backfill &backfill : waiting.backfills) {
+        if (!writeBackfill(backfill, waiting.time)) {
             return false;
         }
     }
     return m_store.setAlive(waiting.time);
-}
-
-/// All that are ripe in one transaction: it costs one wait for the disk.
-bool ArchiveRecorder::writeChunks(bool isEverything)
-{
-    QList<int> readings;
-    QList<int> samples;
-    for (const auto &[number, sensor] : m_open.sensors()) {
-        if (!sensor.readings.isEmpty() && (isEverything || OpenChunks::isRipe(sensor.readings, m_lastRow))) {
-            readings.append(number);
-        }
-        if (!sensor.samples.isEmpty() && (isEverything || OpenChunks::isRipe(sensor.samples, m_lastRow))) {
-            samples.append(number);
-        }
-    }
-    if (readings.isEmpty() && samples.isEmpty()) {
-        m_isAnew = false;
-        return true;
-    }
-    ArchiveDatabase &database = m_store.database();
-    const OpenChunks before = m_open;
-    const QHash<int, KnownSensor> knownBefore = m_known;
-    bool isGood = database.begin();
-    for (const int number : std::as_const(readings)) {
-        isGood = isGood && writeReadings(number, before.sensors().at(number));
-    }
-    for (const int number : std::as_const(samples)) {
-        isGood = isGood && writeSamples(number, before.sensors().at(number));
-    }
-    if (isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1)) && database.commit()) {
-        m_isAnew = false;
-        return true;
-    }
-    fail();
-    database.rollback();
-    m_rollups.forget();
-    m_open = before;
-    m_known = knownBefore;
-    return false;
-}
-
-bool ArchiveRecorder::writeReadings(int number, const OpenChunks::Sensor &sensor)
-{
-    const ValueOffsets offsets = m_rules.value(number).offsets;
-    for (const ReadingChunk &chunk : sensor.readings.chunks) {
-        const QByteArray data = encodeChunk(chunk, offsets);
-        if (!m_store.appendChunk(ChunkKind::FullRate, number, spanOf(chunk), data)
-            || !m_rollups.add(number, chunk, offsets)) {
-            return false;
-        }
-    }
-    KnownSensor &known = m_known[number];
-    known.until = std::max(known.until, sensor.validAt.value_or(known.until));
-    known.readingsDone = sensor.readings.lastRow;
-    m_open.dropReadings(number);
-    return m_store.putSensor(number, known);
-}
-
-bool ArchiveRecorder::writeSamples(int number, const OpenChunks::Sensor &sensor)
-{
-    for (const SampleChunk &chunk : sensor.samples.chunks) {
-        if (!m_store.appendChunk(ChunkKind::Samples, number, spanOf(chunk), encodeChunk(chunk))
-            || !m_rollups.add(number, chunk)) {
-            return false;
-        }
-    }
-    KnownSensor &known = m_known[number];
-    if (known.from == UtcTime()) {
-        known.from = sensor.samples.chunks.first().starts.front();
-        known.until = known.from;
-    }
-    known.samplesDone = sensor.samples.lastRow;
-    m_open.dropSamples(number);
-    return m_store.putSensor(number, known);
 }
 
 bool ArchiveRecorder::fail()

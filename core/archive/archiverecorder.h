@@ -2,6 +2,7 @@
 
 #include "core/archive/archiveinbox.h"
 #include "core/archive/archivestore.h"
+#include "core/archive/backfillbook.h"
 #include "core/archive/gapledger.h"
 #include "core/archive/openchunks.h"
 #include "core/archive/rollupbook.h"
@@ -57,6 +58,9 @@ public:
     bool salvage();
     bool hasSalvage() const { return m_salvage != nullptr; }
 
+    /// Readings and samples of backfills that were new.
+    qint64 backfilled() const { return m_backfilled; }
+
     ArchiveStore &store() { return m_store; }
     ArchiveFault fault() const { return m_fault; }
     QString error() const { return m_error; } ///< one sentence
@@ -66,6 +70,7 @@ private:
     {
         QList<Quantity> quantities;
         ValueOffsets offsets;
+        bool isTurned = false; ///< RotX: the tilt is on no grid of the device
     };
     /// What the spool held up to some place.
     struct Spooled
@@ -86,6 +91,8 @@ private:
     void forgetWritten(const std::optional<UtcTime> &alive);
     void replay(const QList<ArchiveStore::TailRow> &rows);
     bool putSalvagedSensors();
+    void takeBackfill(Backfill backfill);
+    bool writeBackfill(const Backfill &backfill, UtcTime now);
     bool writeWaiting(UtcTime now);
     bool writeBatches(const QList<ArchiveBatch> &batches, const SpoolMark &mark);
     bool writeBatch(const ArchiveBatch &waiting, qint64 *row);
@@ -110,12 +117,15 @@ private:
     SpoolMark m_applied; ///< the last one that the server has
     bool m_isSpoolFailing = false;
     RollupBook m_rollups{m_store};
+    GapBook m_gaps{m_store};
+    BackfillBook m_backfills{m_store, m_rollups};
     GapLedger m_ledger;
     OpenChunks m_open;
     ArchiveBatch m_waiting; ///< goes in with the next commit
     QHash<int, SensorRules> m_rules; ///< by N
     QHash<int, KnownSensor> m_known;
     qint64 m_lastRow = 0; ///< of the tail
+    qint64 m_backfilled = 0; ///< what was committed
     std::unique_ptr<Salvage> m_salvage; ///< while there is something to take over
     bool m_hasStarted = false;
     bool m_isWaiting = false;

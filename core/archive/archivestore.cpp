@@ -137,6 +137,47 @@ bool ArchiveStore::putGap(const Gap &gap)
          static_cast<int>(gap.reason), gap.filledFrom.isNull() ? u""_s : gap.filledFrom});
 }
 
+bool ArchiveStore::removeGap(int number, UtcTime start)
+{
+    return m_database.run(u"DELETE FROM gap WHERE number = ? AND start = ?"_s, {number, storedTime(start)});
+}
+
+std::optional<QList<Gap>> ArchiveStore::gapsWhere(int number, const QString &condition, const QVariantList &values)
+{
+    QSqlQuery *query = m_database.run(
+        u"SELECT start, finish, reason, source FROM gap WHERE number = ? AND %1 ORDER BY start"_s.arg(condition),
+        QVariantList{number} + values);
+    if (!query) {
+        return {};
+    }
+    QList<Gap> gaps;
+    while (query->next()) {
+        Gap gap{number, readTime(query->value(0)), {}, static_cast<GapReason>(query->value(2).toInt()), {}};
+        gap.to = query->isNull(1) ? std::nullopt : std::optional(readTime(query->value(1)));
+        gap.filledFrom = query->value(3).toString();
+        gaps.append(gap);
+    }
+    return gaps;
+}
+
+std::optional<QList<Gap>> ArchiveStore::gaps(int number, const TimeSpan &span)
+{
+    return gapsWhere(
+        number, u"start <= ? AND (finish IS NULL OR finish >= ?)"_s, {storedTime(span.to), storedTime(span.from)});
+}
+
+std::optional<QList<Gap>> ArchiveStore::gapsBeginning(int number, const TimeSpan &span)
+{
+    return gapsWhere(number, u"start >= ? AND start < ?"_s, {storedTime(span.from), storedTime(span.to)});
+}
+
+std::optional<UtcTime> ArchiveStore::firstGap(int number)
+{
+    const QVariant first =
+        m_database.single(u"SELECT start FROM gap WHERE number = ? ORDER BY start LIMIT 1"_s, {number});
+    return first.isValid() ? std::optional(readTime(first)) : std::nullopt;
+}
+
 std::optional<QHash<int, UtcTime>> ArchiveStore::endOpenGaps(UtcTime at)
 {
     if (!m_database.run(
@@ -171,6 +212,36 @@ bool ArchiveStore::putRecord(const DeviceRecord &record, bool *isNew)
         {record.number, storedTime(record.start), record.name, record.data});
     *isNew = query && query->numRowsAffected() > 0;
     return query;
+}
+
+std::optional<std::vector<UtcTime>> ArchiveStore::recordTimes(int number, const TimeSpan &span)
+{
+    QSqlQuery *query = m_database.run(
+        u"SELECT DISTINCT start FROM record WHERE number = ? AND start >= ? AND start < ? ORDER BY start"_s,
+        {number, storedTime(span.from), storedTime(span.to)});
+    if (!query) {
+        return {};
+    }
+    std::vector<UtcTime> times;
+    while (query->next()) {
+        times.push_back(readTime(query->value(0)));
+    }
+    return times;
+}
+
+std::optional<QList<TimeSpan>> ArchiveStore::chunkSpans(ChunkKind kind, int number, const TimeSpan &span)
+{
+    QSqlQuery *query = m_database.run(
+        u"SELECT start, finish FROM chunk WHERE kind = ? AND number = ? AND start >= ? AND start < ? ORDER BY start"_s,
+        {static_cast<int>(kind), number, storedTime(span.from), storedTime(span.to)});
+    if (!query) {
+        return {};
+    }
+    QList<TimeSpan> spans;
+    while (query->next()) {
+        spans.append({readTime(query->value(0)), readTime(query->value(1))});
+    }
+    return spans;
 }
 
 } // namespace gorizont

@@ -57,13 +57,26 @@ public:
 
     /// One gap of a sensor begins at one time: the same again changes it.
     bool putGap(const Gap &gap);
+    bool removeGap(int number, UtcTime start);
+    /// Those that \a span touches, in ascending time.
+    std::optional<QList<Gap>> gaps(int number, const TimeSpan &span);
+    /// Those that begin in \a span, in ascending time.
+    std::optional<QList<Gap>> gapsBeginning(int number, const TimeSpan &span);
+    /// The first of all gaps of a sensor; empty: there is none, or fault().
+    std::optional<UtcTime> firstGap(int number);
     /// Those that still went on did so until \a at. Returns the last end known of each sensor.
     std::optional<QHash<int, UtcTime>> endOpenGaps(UtcTime at);
     bool appendEvent(const JournalEntry &entry);
     /// A record that is there already stays as it is.
     bool putRecord(const DeviceRecord &record, bool *isNew);
+    /// Different ones, ascending.
+    std::optional<std::vector<UtcTime>> recordTimes(int number, const TimeSpan &span);
+    /// Where the chunks of \a kind are that begin in \a span; ascending.
+    std::optional<QList<TimeSpan>> chunkSpans(ChunkKind kind, int number, const TimeSpan &span);
 
 private:
+    std::optional<QList<Gap>> gapsWhere(int number, const QString &condition, const QVariantList &values);
+
     ArchiveDatabase m_database;
 };
 

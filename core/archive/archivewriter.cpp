@@ -53,7 +53,11 @@ void ArchiveWriter::appendJournal(const JournalEntry &entry)
 
 void ArchiveWriter::appendRecords(const DeviceRecords &records)
 {
-    m_records.put(records);
+    Backfill backfill{records.number, records.source, {}, records.records, {}, {}};
+    for (const Reading &reading : records.readings) {
+        backfill.readings.append(keptReading(reading, readingQuantities()));
+    }
+    m_inbox.put(backfill);
 }
 
 void ArchiveWriter::start()
@@ -79,7 +83,6 @@ void ArchiveWriter::flush()
     takeInbox(now);
     if (m_recorder.commit(now)) {
         succeeded();
-        (void)m_records.write(m_recorder.store()); // what waits is tried again with the next commit
         salvage();
         sweep(now);
     } else {
@@ -126,11 +129,6 @@ void ArchiveWriter::stop()
     }
     if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
         failed();
-    }
-    if (!m_records.write(m_recorder.store()) && m_records.waiting() > 0) {
-        note(
-            JournalKind::Error,
-            tr("%1 records of devices are not in the archive. Download all of them again.").arg(m_records.waiting()));
     }
     m_recorder.close();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/archive/archiverecorder.h"
-#include "core/archive/recordkeeper.h"
 #include "core/archive/retention.h"
 
 #include <QObject>
@@ -30,7 +29,9 @@ public Q_SLOTS:
     void updateLine(const gorizont::LineStatus &status);
     void appendBlock(const gorizont::SampleBlock &block);
     void appendJournal(const gorizont::JournalEntry &entry);
-    /// What a service window downloaded from a device.
+    /// Each record goes in once, by its time and name, and the gaps that they cover are marked as filled from their source
+    /// (filledParts() in gapmath.h says which). Where the archive knows nothing of the sensor the curves show the readings,
+    /// and then they decide what is filled. The same again changes nothing.
     void appendRecords(const gorizont::DeviceRecords &records);
 
     /// Opens the store, and commits every commitInterval.
@@ -58,7 +59,6 @@ private:
     const ArchiveConfig m_config;
     const Clock m_clock;
     ArchiveInbox m_inbox; ///< with m_records all that other threads touch
-    RecordKeeper m_records;
     ArchiveRecorder m_recorder;
     Retention m_retention;
     SteadyTime m_sweepAt; ///< the next time

@@ -65,6 +65,67 @@ QList<Gap> filled(const QList<Gap> &gaps, const TimeSpan &span, const QString &s
     return result;
 }
 
+QList<Gap> joined(const QList<Gap> &gaps)
+{
+    QList<Gap> result;
+    for (const Gap &gap : gaps) {
+        const bool follows = !result.isEmpty() && !gap.filledFrom.isEmpty() && result.last().to == gap.from
+            && result.last().filledFrom == gap.filledFrom && result.last().reason == gap.reason;
+        if (follows) {
+            result.last().to = gap.to;
+        } else {
+            result.append(gap);
+        }
+    }
+    return result;
+}
+
+QList<TimeSpan> filledParts(const TimeSpan &span, const std::vector<UtcTime> &times, std::chrono::microseconds period)
+{
+    QList<TimeSpan> parts;
+    const auto fill = [&parts](UtcTime from, UtcTime to) {
+        if (!parts.isEmpty() && parts.last().to >= from) {
+            parts.last().to = to;
+        } else if (from < to) {
+            parts.append({from, to});
+        }
+    };
+    UtcTime before = span.from;
+    bool isValue = false;
+    const auto step = [&](UtcTime time) {
+        if (time - before <= period * 3 / 2) {
+            fill(before, time);
+        } else if (isValue) {
+            fill(before, before + period);
+        }
+        before = time;
+        isValue = true;
+    };
+    for (const UtcTime time : times) {
+        if (time >= span.from && time < span.to) {
+            step(time);
+        }
+    }
+    if (isValue) {
+        step(span.to);
+    }
+    return parts;
+}
+
+std::chrono::microseconds usualDistance(const std::vector<UtcTime> &times)
+{
+    std::vector<std::chrono::microseconds> distances;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+        distances.push_back(times[i] - times[i - 1]);
+    }
+    if (distances.empty()) {
+        return {};
+    }
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    return *middle;
+}
+
 QList<DayCompleteness> completeness(int number, const QList<Gap> &gaps, const TimeSpan &known, const QTimeZone &zone)
 {
     QList<Gap> sorted = gaps;

@@ -30,10 +30,25 @@ Retention::Outcome Retention::sweep(ArchiveStore &store, UtcTime now)
         database.rollback();
         return Outcome::Failed;
     }
-    if (database.isSqlite()) {
-        database.execute(u"PRAGMA incremental_vacuum(%1)"_s.arg(4 * mostRows));
-    }
+    giveBack(database);
     return m_hasMore ? Outcome::MoreToDo : Outcome::Done;
+}
+
+/// Pages that are free shorten the file, one with each statement: Qt makes only the first step of what has no columns.
+void Retention::giveBack(ArchiveDatabase &database)
+{
+    const qint64 unused = database.isSqlite() ? database.single(u"PRAGMA freelist_count"_s).toLongLong() : 0;
+    const qint64 count = std::min<qint64>(unused, 4 * mostRows);
+    if (count == 0 || !database.begin()) {
+        return;
+    }
+    for (qint64 i = 0; i < count; ++i) {
+        database.execute(u"PRAGMA incremental_vacuum(1)"_s);
+    }
+    if (!database.commit()) {
+        database.rollback();
+    }
+    m_hasMore = m_hasMore || unused > count;
 }
 
 /// \a rows: the statement that selects their ids and names their table first, `chunk WHERE …`.

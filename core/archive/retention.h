@@ -22,6 +22,7 @@ public:
 private:
     bool sweepAge(ArchiveDatabase &database, UtcTime now);
     bool sweepSize(ArchiveDatabase &database);
+    void giveBack(ArchiveDatabase &database);
     bool remove(ArchiveDatabase &database, const QString &rows, const QVariantList &values = {});
 
     const ArchiveRetention m_retention;

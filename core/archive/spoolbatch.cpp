@@ -7,7 +7,7 @@ namespace gorizont {
 
 namespace {
 
-constexpr quint8 batchVersion = 1;
+enum BatchVersion : quint8 { Plain = 1, WithBackfills = 2 };
 
 void putTime(ArchiveBytes &bytes, UtcTime time)
 {
@@ -32,7 +32,7 @@ std::optional<UtcTime> takeOptionalTime(ArchiveCursor &cursor)
     return cursor.byte() != 0 ? std::optional(takeTime(cursor)) : std::nullopt;
 }
 
-QByteArray valuesOf(const ArchiveBatch &batch)
+template <typename Batch> QByteArray valuesOf(const Batch &batch)
 {
     TailBatch values;
     for (const KeptReading &reading : batch.readings) {
@@ -44,7 +44,7 @@ QByteArray valuesOf(const ArchiveBatch &batch)
     return values.isEmpty() ? QByteArray() : values.take();
 }
 
-bool takeValues(ArchiveCursor &cursor, ArchiveBatch &batch)
+template <typename Batch> bool takeValues(ArchiveCursor &cursor, Batch &batch)
 {
     const QByteArrayView bytes = cursor.piece();
     if (bytes.isEmpty()) {
@@ -80,12 +80,43 @@ Gap takeGap(ArchiveCursor &cursor)
     return gap;
 }
 
+void putBackfill(ArchiveBytes &bytes, const Backfill &backfill)
+{
+    bytes.number(static_cast<quint64>(backfill.number));
+    bytes.piece(backfill.source.toUtf8());
+    bytes.number(static_cast<quint64>(backfill.period.count()));
+    bytes.piece(valuesOf(backfill));
+    bytes.number(static_cast<quint64>(backfill.records.size()));
+    for (const DeviceRecord &record : backfill.records) {
+        putTime(bytes, record.start);
+        bytes.piece(record.name.toUtf8());
+        bytes.piece(record.data);
+    }
+}
+
+std::optional<Backfill> takeBackfill(ArchiveCursor &cursor)
+{
+    Backfill backfill;
+    backfill.number = static_cast<int>(cursor.number());
+    backfill.source = QString::fromUtf8(cursor.piece());
+    backfill.period = std::chrono::microseconds(static_cast<qint64>(cursor.number()));
+    if (!takeValues(cursor, backfill)) {
+        return {};
+    }
+    for (quint64 left = cursor.number(); left > 0 && cursor.isGood(); --left) {
+        const UtcTime start = takeTime(cursor);
+        const QString name = QString::fromUtf8(cursor.piece());
+        backfill.records.append({backfill.number, start, name, cursor.piece().toByteArray()});
+    }
+    return backfill;
+}
+
 } // namespace
 
 QByteArray ArchiveBatch::encode() const
 {
     ArchiveBytes bytes;
-    bytes.byte(batchVersion);
+    bytes.byte(backfills.isEmpty() ? Plain : WithBackfills);
     putTime(bytes, time);
     putTime(bytes, startedAt);
     bytes.piece(valuesOf(*this));
@@ -105,13 +136,20 @@ QByteArray ArchiveBatch::encode() const
         bytes.byte(static_cast<quint8>(gap.reason));
         bytes.piece(gap.filledFrom.toUtf8());
     }
+    if (!backfills.isEmpty()) {
+        bytes.number(static_cast<quint64>(backfills.size()));
+        for (const Backfill &backfill : backfills) {
+            putBackfill(bytes, backfill);
+        }
+    }
     return bytes.bytes();
 }
 
 std::optional<ArchiveBatch> ArchiveBatch::decode(QByteArrayView bytes)
 {
     ArchiveCursor cursor(bytes);
-    if (cursor.byte() != batchVersion) {
+    const quint8 version = cursor.byte();
+    if (version != Plain && version != WithBackfills) {
         return {};
     }
     ArchiveBatch batch;
@@ -125,6 +163,13 @@ std::optional<ArchiveBatch> ArchiveBatch::decode(QByteArrayView bytes)
     }
     for (quint64 left = cursor.number(); left > 0 && cursor.isGood(); --left) {
         batch.gaps.append(takeGap(cursor));
+    }
+    for (quint64 left = version == Plain ? 0 : cursor.number(); left > 0 && cursor.isGood(); --left) {
+        const auto backfill = takeBackfill(cursor);
+        if (!backfill) {
+            return {};
+        }
+        batch.backfills.append(*backfill);
     }
     return cursor.isGood() && cursor.isAtEnd() ? std::optional(std::move(batch)) : std::nullopt;
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/archive/keptreading.h"
+#include "core/archive/backfill.h"
 #include "core/values/gap.h"
 #include "core/values/journalentry.h"
-#include "core/values/sampleblock.h"
 
 #include <QByteArray>
 
@@ -17,6 +16,11 @@ namespace gorizont {
 ///     TailBatch (piece; empty: no readings and blocks) ·
 ///     count · for each event: byte kind, time, port, number N (signed numbers), text (piece, UTF-8) ·
 ///     count · for each gap: number N, from, byte, to if it is 1, byte reason, source (piece, UTF-8)
+///
+/// Version 2 goes on, and stands where there are backfills:
+///
+///     count · for each of them: number N, source (piece, UTF-8), period (number, µs), TailBatch (piece, as above),
+///     count of records · for each record: start (signed µs UTC), name (piece, UTF-8), data (piece)
 struct ArchiveBatch
 {
     UtcTime time; ///< of the commit
@@ -25,6 +29,7 @@ struct ArchiveBatch
     QList<SampleBlock> blocks;
     QList<JournalEntry> entries;
     QList<Gap> gaps;
+    QList<Backfill> backfills;
     bool operator==(const ArchiveBatch &) const = default;
 
     QByteArray encode() const;

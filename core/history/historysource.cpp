@@ -1,10 +1,10 @@
 #include "core/history/historysource.h"
 
+#include "core/history/monthfiles.h"
 #include "core/history/monthrecords.h"
 #include "core/history/samplerecords.h"
 #include "core/history/seriesbuilder.h"
 
-#include <QDir>
 #include <QPromise>
 #include <QThreadPool>
 
@@ -31,28 +31,9 @@ Kind kindOf(Quantity quantity)
     }
 }
 
-QStringList monthFiles(const HistoryFolder &folder, Kind kind)
+MonthFile fileOf(Kind kind)
 {
-    const QString pattern =
-        kind == Kind::Data ? QStringLiteral("????_??_data.txt") : QStringLiteral("????_??_adata.txt");
-    QStringList paths;
-    for (const QFileInfo &file : QDir(folder.path).entryInfoList({pattern}, QDir::Files, QDir::Name)) {
-        paths += file.filePath();
-    }
-    return paths;
-}
-
-/// The numbers of the sensors that have a group in a record, in the order of the groups.
-QList<int> columnsOf(const HistoryFolder &folder, Kind kind)
-{
-    QList<int> numbers;
-    for (const SensorConfig &sensor : folder.sensors) {
-        if (kind == Kind::Data ? sensor.measuresTilt : sensor.measuresAcceleration) {
-            numbers.append(sensor.number);
-        }
-    }
-    std::sort(numbers.begin(), numbers.end());
-    return numbers;
+    return kind == Kind::Data ? MonthFile::Data : MonthFile::Acceleration;
 }
 
 using Answer = QPromise<QList<Series>>;
@@ -81,11 +62,11 @@ void takeRow(UtcTime time, const HistoryRow &row, Kind kind, std::vector<Wanted>
 void readMonths(
     const HistoryFolder &folder, const SeriesQuery &query, Kind kind, std::vector<Wanted> &wanted, const Answer &answer)
 {
-    const QList<int> columns = columnsOf(folder, kind);
+    const QList<int> columns = historyColumns(folder.sensors, fileOf(kind));
     for (Wanted &curve : wanted) {
         curve.group = columns.indexOf(curve.key.number);
     }
-    for (const QString &path : monthFiles(folder, kind)) {
+    for (const QString &path : monthFiles(folder.path, fileOf(kind))) {
         const MonthRecords records(path, folder.zone);
         const std::optional<UtcTime> first = records.first();
         const std::optional<UtcTime> last = records.last();
@@ -151,8 +132,8 @@ HistoryOverview overviewOf(const HistoryFolder &folder)
 {
     HistoryOverview overview;
     for (const Kind kind : {Kind::Data, Kind::Acceleration}) {
-        const qsizetype groups = columnsOf(folder, kind).size();
-        for (const QString &path : monthFiles(folder, kind)) {
+        const qsizetype groups = historyColumns(folder.sensors, fileOf(kind)).size();
+        for (const QString &path : monthFiles(folder.path, fileOf(kind))) {
             const MonthRecords records(path, folder.zone);
             const std::optional<UtcTime> first = records.first();
             const std::optional<UtcTime> last = records.last();

@@ -75,4 +75,42 @@ void SampleRecords::read(const SeriesKey &key, UtcTime from, UtcTime to, const T
     }
 }
 
+bool SampleRecords::readPair(const File &x, const File &y, const TakeBlock &take) const
+{
+    constexpr qsizetype samplesOfBlock = 32'000;
+    QFile bytesX(x.path);
+    QFile bytesY(y.path);
+    if (!bytesX.open(QIODevice::ReadOnly) || !bytesY.open(QIODevice::ReadOnly)) {
+        return true;
+    }
+    const double rate = 1e6 / static_cast<double>(period.count());
+    for (qint64 at = 0;; at += samplesOfBlock) {
+        SampleBlock block{x.number, x.start + at * period, rate, m_scale, at > 0, {}, {}};
+        const QByteArray rawX = bytesX.read(2 * samplesOfBlock);
+        const QByteArray rawY = bytesY.read(2 * samplesOfBlock);
+        for (qsizetype i = 0; i < std::min(rawX.size(), rawY.size()) / 2; ++i) {
+            block.x.append(qFromLittleEndian<qint16>(rawX.constData() + 2 * i));
+            block.y.append(qFromLittleEndian<qint16>(rawY.constData() + 2 * i));
+        }
+        if (block.x.isEmpty()) {
+            return true;
+        }
+        if (!take(block)) {
+            return false;
+        }
+    }
+}
+
+void SampleRecords::readBlocks(const TakeBlock &take) const
+{
+    for (const File &x : m_files) {
+        const auto y = std::find_if(m_files.begin(), m_files.end(), [&x](const File &file) {
+            return file.axis == 'Y' && file.number == x.number && file.start == x.start;
+        });
+        if (x.axis == 'X' && y != m_files.end() && !readPair(x, *y, take)) {
+            return;
+        }
+    }
+}
+
 } // namespace gorizont

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/history/historyparser.h"
+#include "core/values/sampleblock.h"
 #include "core/values/series.h"
 
 #include <QTimeZone>
@@ -25,6 +26,11 @@ public:
     using Take = std::function<bool(UtcTime, double)>;
     void read(const SeriesKey &key, UtcTime from, UtcTime to, const Take &take) const;
 
+    /// What both axes of a pair of files hold, as the device said it, in pieces of less than an hour: those of one file
+    /// one after the other, the files in ascending time; until \a take returns false.
+    using TakeBlock = std::function<bool(const SampleBlock &)>;
+    void readBlocks(const TakeBlock &take) const;
+
 private:
     struct File
     {
@@ -35,6 +41,7 @@ private:
         char axis = 'X';
         UtcTime end() const { return start + samples * period; }
     };
+    bool readPair(const File &x, const File &y, const TakeBlock &take) const;
     static bool readFile(const File &file, double scale, UtcTime from, UtcTime to, const Take &take);
 
     QList<File> m_files; ///< in ascending time

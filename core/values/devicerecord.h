@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/values/series.h"
+#include "core/values/reading.h"
 
 #include <QByteArray>
 #include <QList>
+#include <QMetaType>
 #include <QString>
 
 namespace gorizont {
@@ -13,19 +14,23 @@ struct DeviceRecord
 {
     int number = 0; ///< N
     UtcTime start; ///< by the clock of the device
-    QString name; ///< what it is: the kind, or the name in the device
+    /// What it is: the kind, or the name in the device. With N and the time it is there once. At most 64 characters.
+    QString name;
     QByteArray data;
     bool operator==(const DeviceRecord &) const = default;
 };
 
-/// What was downloaded from one device.
+/// What one device kept while nobody asked it.
 struct DeviceRecords
 {
     int number = 0; ///< N, of all of them
-    QString source; ///< where they come from, for the gaps that they fill
+    QString source; ///< what the gaps say that they were filled from, at most 64 characters; empty: none is filled
     QList<DeviceRecord> records;
-    QList<TimeSpan> filled; ///< times that they stand for
+    Readings readings; ///< what the records say, corrected like every reading
     bool operator==(const DeviceRecords &) const = default;
 };
 
 } // namespace gorizont
+
+Q_DECLARE_METATYPE(gorizont::DeviceRecord)
+Q_DECLARE_METATYPE(gorizont::DeviceRecords)

@@ -87,6 +87,35 @@ class Archive(unittest.TestCase):
             self.assertEqual(tool_export("--config", site.ini).returncode, 2)
             self.assertEqual(tool_export("--config", site.folder / "no.ini").returncode, 2)
 
+    def test_old_files_go_into_another_archive(self):
+        with Site(annex(IPPort1=free_port(), IPPort2=free_port(), TmRun=200, TmSave=1000)) as site:
+            def import_history(*arguments):
+                return tool("import-history", *arguments, "--config", site.ini, "--lang", "en", "--json")
+
+            server = site.start()
+            server.wait_until(lambda: site.file_text("data").count("\n") > 5, what="records")
+            refused = import_history(site.history)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("Another copy of the program writes into", refused.stderr)
+            self.assertEqual(server.stop(), 0)
+            file = site.folder / "other.sqlite"
+            added = []
+            for _ in range(2):
+                done = import_history(site.history, "--archive", file)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = json.loads(done.stdout)
+                self.assertEqual((told["foreign"], told["damaged"], told["failure"]), (0, 0, None))
+                self.assertGreater(told["records"], 5)
+                added.append(told["added"])
+            self.assertGreater(added[0], 5)
+            self.assertEqual(added[1], 0)
+            sources = [source for source, in rows(file, "SELECT DISTINCT source FROM gap WHERE source <> ''")]
+            self.assertTrue(sources and all(source.endswith("data.txt") for source in sources), sources)
+            self.assertEqual(tool("check", "--archive", file).returncode, 0)
+            nothing = import_history(site.folder / "nowhere", "--archive", file)
+            self.assertEqual(nothing.returncode, 1)
+            self.assertIn("There are no old records in", nothing.stderr)
+
     def test_off_keeps_nothing(self):
         with Site(annex(IPPort1=free_port(), IPPort2=free_port()) + "\n[Archive]\nOn=0\n") as site:
             server = site.start()

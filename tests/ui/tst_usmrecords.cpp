@@ -50,8 +50,8 @@ private Q_SLOTS:
         QCOMPARE(distinctNames(), stored);
         const DeviceRecords &last = m_kept.constLast();
         QCOMPARE(last.source, QStringLiteral("УСМ-ИСН 00003595"));
-        QCOMPARE(last.filled.size(), 1); // without a hole
-        QVERIFY(last.filled.constFirst().to - last.filled.constFirst().from >= 718h);
+        QCOMPARE(last.readings.size(), stored / 2);
+        QVERIFY(last.readings.constLast().time - last.readings.constFirst().time >= 718h);
         for (const DeviceRecords &batch : m_kept) {
             QCOMPARE(batch.number, 5);
         }

@@ -95,7 +95,7 @@ private:
 
     usmisn::RecordBook m_book; ///< of the device with this serial number
     quint32 m_bookSerial = 0;
-    int m_archiveNumber = 0; ///< N under which the archive keeps them; 0: it does not
+    std::optional<SensorConfig> m_archived; ///< for which the archive keeps them; empty: it does not
     std::optional<usmisn::RecordFetch> m_fetch; ///< while something is downloaded
     std::shared_ptr<RecordStream> m_stream; ///< likewise
     QTimer *m_drain; ///< looks into the stream

@@ -47,7 +47,7 @@ void UsmDialog::findArchive()
         m_form->records()->showBook(m_book);
     }
     const SensorConfig *sensor = sensorAt(port().line, address());
-    m_archiveNumber = 0;
+    m_archived.reset();
     QString text;
     if (!port().keep) {
         text = tr("is not written here; save the records as CSV");
@@ -58,7 +58,7 @@ void UsmDialog::findArchive()
                    .arg(sensor->serialNumber)
                    .arg(sensor->index);
     } else {
-        m_archiveNumber = sensor->number;
+        m_archived = *sensor;
         text = tr("keeps each record once, for sensor N %1").arg(sensor->number);
     }
     m_form->records()->showArchive(text);
@@ -104,18 +104,16 @@ void UsmDialog::transferNext()
 /// What has come so far is kept at once: a device does not send it as New again.
 void UsmDialog::takeRecords()
 {
-    DeviceRecords fresh;
-    fresh.number = m_archiveNumber;
-    bool hasNews = false;
+    const int number = m_archived ? m_archived->number : 0;
+    DeviceRecords fresh{number, {}, {}, {}}; // what gaps they fill is known when both axes are here
     for (const Value &record : m_stream->take()) {
         if (m_book.add(record)) {
-            hasNews = true;
-            fresh.records.append(deviceRecord(record, m_archiveNumber));
+            fresh.records.append(deviceRecord(record, number));
         }
     }
-    if (hasNews) {
+    if (!fresh.records.isEmpty()) {
         m_form->records()->showBook(m_book);
-        if (m_archiveNumber != 0) {
+        if (m_archived) {
             port().keep(fresh);
         }
     }
@@ -126,9 +124,9 @@ void UsmDialog::endDownload()
     m_drain->stop();
     const Result<void> result = m_fetch->result();
     m_isBroken = !result;
-    if (m_archiveNumber != 0) {
+    if (m_archived) {
         const QString source = servicetext::deviceName(SensorType::UsmIsn) + u' ' + usmtext::serial(m_bookSerial);
-        port().keep({m_archiveNumber, source, {}, coveredBy(m_book.records())});
+        port().keep({m_archived->number, source, {}, readingsOf(m_book.records(), *m_archived)});
     }
     const QString text = downloadText(result);
     note(result ? JournalKind::Info : JournalKind::Error, address(), text);

@@ -10,7 +10,6 @@ using namespace std::chrono_literals;
 
 constexpr auto sayAgainAfter = 10s; ///< well below the 26 s of the watchdog
 constexpr auto healingSilence = 30s;
-constexpr double arcSecondsInDegree = 3600;
 
 /// The transactions of polling and of service differ, so that a late answer to the one is none to the other.
 constexpr int lastTransaction = 499;

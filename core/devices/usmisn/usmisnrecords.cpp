@@ -1,5 +1,7 @@
 #include "core/devices/usmisn/usmisnrecords.h"
 
+#include "core/values/geometry.h"
+
 #include <QByteArrayList>
 #include <QDateTime>
 
@@ -48,24 +50,40 @@ DeviceRecord deviceRecord(const Value &record, int number)
     return {number, UtcTime(std::chrono::seconds(record.timestamp)), name, csv::line(record)};
 }
 
-QList<TimeSpan> coveredBy(const QList<Value> &records)
+namespace {
+
+constexpr std::chrono::seconds bothAxes{10}; ///< measuring takes 1.5 s an axis, the shortest period of a recorder 900 s
+
+/// A recorder measures X and then Y, and counts both.
+bool areOneMeasurement(const Value &x, const Value &y)
 {
-    QList<TimeSpan> spans;
-    const Value *last = nullptr;
-    for (const Value &record : records) {
-        const UtcTime time(std::chrono::seconds(record.timestamp));
-        const bool goesOn = last && last->channel.serial() == record.channel.serial()
-            && record.measurement - last->measurement <= 1 && record.timestamp >= last->timestamp
-            && record.timestamp - last->timestamp <= longestPeriod.count();
-        if (goesOn) {
-            spans.last().to = time;
-        } else {
-            spans.append({time, time});
+    return x.channel.serial() == y.channel.serial() && x.channel.channel() == channelX
+        && y.channel.channel() == channelY && y.measurement - x.measurement <= 1
+        && qAbs(y.timestamp - x.timestamp) <= std::chrono::seconds(bothAxes).count();
+}
+
+} // namespace
+
+Readings readingsOf(const QList<Value> &records, const SensorConfig &sensor)
+{
+    Readings readings;
+    const AxisTransform transform(sensor);
+    for (qsizetype i = 0; i + 1 < records.size(); ++i) {
+        const Value &x = records.at(i);
+        const Value &y = records.at(i + 1);
+        const bool isMeasured = x.state == ValueState::Measured && y.state == ValueState::Measured;
+        if (!isMeasured || !areOneMeasurement(x, y)) {
+            continue;
         }
-        last = &record;
+        Reading reading;
+        reading.number = sensor.number;
+        reading.time = UtcTime(std::chrono::seconds(x.timestamp));
+        reading.isAnswer = true;
+        reading.tilt = correctedTilt({x.value * arcSecondsInDegree, y.value * arcSecondsInDegree}, transform, sensor);
+        reading.temperature = y.temperature - sensor.offsetT;
+        readings.append(reading);
     }
-    spans.removeIf([](const TimeSpan &span) { return span.from == span.to; });
-    return spans;
+    return readings;
 }
 
 namespace csv {

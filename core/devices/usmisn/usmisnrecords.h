@@ -2,6 +2,7 @@
 
 #include "core/devices/usmisn/usmisnvalues.h"
 #include "core/values/devicerecord.h"
+#include "core/values/sensorconfig.h"
 
 #include <QList>
 
@@ -39,10 +40,9 @@ private:
 /// As the archive keeps \a record of the sensor N \a number: under channel and number of measurement, so that it is there once.
 DeviceRecord deviceRecord(const Value &record, int number);
 
-/// From when to when \a records of one device tell what there was: the numbers follow each other, and there is no more time
-/// between two than between two measurements of a recorder. Ordered like RecordBook::records(). A single one is a moment and
-/// fills nothing.
-QList<TimeSpan> coveredBy(const QList<Value> &records);
+/// What \a records (ordered like RecordBook::records()) say of \a sensor, corrected like every reading: X and Y of one
+/// measurement of a recorder together. One that lacks its other axis says nothing.
+Readings readingsOf(const QList<Value> &records, const SensorConfig &sensor);
 
 /// The records as a table for other programs: RFC 4180 with commas, a point in numbers, UTC in ISO 8601, one record a line.
 namespace csv {

@@ -14,6 +14,7 @@ namespace gorizont::usmisn {
 constexpr int inclinometerType = 28; ///< what GetType tells of an УСМ-ИСН; another one is another device of the series
 constexpr int channelX = 1;
 constexpr int channelY = 2;
+constexpr double arcSecondsInDegree = 3600;
 constexpr int memorySize = 1720; ///< records; the oldest are overwritten
 
 /// A channel everywhere in the world: serial number × 100 + number of the channel.

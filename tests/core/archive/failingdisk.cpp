@@ -21,7 +21,7 @@ bool isDiskFull = false;
 
 bool isArchive(const char *path)
 {
-    return std::strstr(path, "archive.sqlite") != nullptr;
+    return std::strstr(path, "archive.sqlite") != nullptr || std::strstr(path, "archive.spool") != nullptr;
 }
 
 bool isArchive(int descriptor)
@@ -74,6 +74,11 @@ ssize_t pwrite(int descriptor, const void *bytes, size_t count, off_t offset)
     return pwrite64(descriptor, bytes, count, offset);
 }
 
+ssize_t write(int descriptor, const void *bytes, size_t count)
+{
+    return fails(DiskCall::Write, descriptor) ? -1 : ::syscall(SYS_write, descriptor, bytes, count);
+}
+
 int fdatasync(int descriptor)
 {
     return fails(DiskCall::Sync, descriptor) ? -1 : 0;
@@ -101,6 +106,14 @@ int open64(const char *path, int flags, ...)
 int rename(const char *from, const char *to) noexcept
 {
     return fails(DiskCall::Rename, from) ? -1 : static_cast<int>(::syscall(SYS_rename, from, to));
+}
+
+/// What QFile::rename() calls.
+int renameat2(int fromFolder, const char *from, int toFolder, const char *to, unsigned flags) noexcept
+{
+    return fails(DiskCall::Rename, from)
+        ? -1
+        : static_cast<int>(::syscall(SYS_renameat2, fromFolder, from, toFolder, to, flags));
 }
 }
 

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <cmath>
 #include <map>
 
 using namespace gorizont;
@@ -35,12 +36,8 @@ private Q_SLOTS:
     void keepsSamples();
     void keepsEvents();
     void keepsRecordsOnce();
-    void knowsThatItWasAway();
-    void knowsThatItWasKilled();
-    void tellsGapsOfSensors();
-    void countsCompleteness();
-    void acceptsClockSteps();
     void leavesInvalidValuesOut();
+    void roundsTurnedAxes();
     void refusesASecondWriter();
     void explainsAFolderThatCannotBeWritten();
     void refusesTheTablesOfTheFuture();
@@ -208,109 +205,6 @@ void TestArchiveWriter::keepsRecordsOnce()
     QCOMPARE(query.records(7, noon, noon + 1s).first(), record);
 }
 
-void TestArchiveWriter::knowsThatItWasAway()
-{
-    ArchiveBench bench(archiveConfig(file()));
-    bench.open(noon);
-    bench.read(1, noon + 1s, 5);
-    bench.close();
-    bench.open(noon + 1h);
-    bench.read(1, noon + 1h + 1s, 5);
-    bench.close();
-    ArchiveQuery query(bench.config);
-    const QList<Gap> gaps = query.gaps({1}, noon, noon + 2h);
-    QCOMPARE(gaps, (QList<Gap>{{1, noon + 1s, noon + 1h + 1s, GapReason::ProgramStopped, {}}}));
-    QCOMPARE(bench.ask(tiltX, noon, noon + 2h, 0).gaps, (QList<TimeSpan>{{noon + 1s, noon + 1h + 1s}}));
-}
-
-/// A writer that is dropped without stop() is all that a kill leaves behind.
-void TestArchiveWriter::knowsThatItWasKilled()
-{
-    ArchiveBench bench(archiveConfig(file()));
-    bench.open(noon);
-    bench.read(1, noon + 1s, 5);
-    bench.read(2, noon + 1s, 6);
-    bench.writer->flush();
-    for (int second = 2; second < 60; ++second) {
-        bench.read(2, noon + second * 1s, 6);
-        bench.writer->flush();
-    }
-    bench.writer.reset();
-    ArchiveQuery before(bench.config);
-    QVERIFY(!before.gaps({1}, noon, noon + 1h).value(0).to);
-    bench.open(noon + 1h);
-    bench.read(1, noon + 1h + 1s, 5);
-    bench.read(2, noon + 1h + 1s, 5);
-    bench.close();
-    ArchiveQuery query(bench.config);
-    const QList<Gap> expected{
-        {1, noon + 1s, noon + 59s, GapReason::NoAnswer, {}},
-        {1, noon + 59s, noon + 1h + 1s, GapReason::ProgramStopped, {}},
-        {2, noon + 59s, noon + 1h + 1s, GapReason::ProgramStopped, {}}};
-    QCOMPARE(query.gaps({1, 2}, noon, noon + 2h), expected);
-}
-
-void TestArchiveWriter::tellsGapsOfSensors()
-{
-    ArchiveBench bench(archiveConfig(file()));
-    bench.open(noon);
-    LineStatus lost;
-    lost.port = 1;
-    lost.state = LineState::Lost;
-    bench.read(1, noon + 1s, 5);
-    bench.writer->flush();
-    bench.now = noon + 2s;
-    bench.writer->updateLine(lost);
-    for (int second = 2; second <= 60; ++second) {
-        bench.now = noon + second * 1s;
-        bench.writer->flush();
-    }
-    ArchiveQuery query(bench.config);
-    QCOMPARE(query.gaps({1}, noon, noon + 2h), (QList<Gap>{{1, noon + 1s, {}, GapReason::PortError, {}}}));
-    QCOMPARE(bench.ask(tiltX, noon, noon + 2h, 0).gaps, (QList<TimeSpan>{{noon + 1s, noon + 2h}}));
-    bench.read(1, noon + 61s, 5);
-    bench.close();
-    QCOMPARE(query.gaps({1}, noon, noon + 2h), (QList<Gap>{{1, noon + 1s, noon + 61s, GapReason::PortError, {}}}));
-}
-
-void TestArchiveWriter::countsCompleteness()
-{
-    ArchiveBench bench(archiveConfig(file()));
-    bench.open(noon);
-    bench.read(1, noon, 5);
-    bench.close();
-    bench.open(noon + 3h);
-    bench.read(1, noon + 3h, 5);
-    bench.now = noon + 3h;
-    bench.close();
-    ArchiveQuery query(bench.config);
-    const QDate day(2024, 12, 31);
-    const auto days = query.completeness({1, 2}, day.addDays(-3), day.addDays(3), QTimeZone::utc());
-    QCOMPARE(days, (QList<DayCompleteness>{{1, day, 0s, 3h}}));
-}
-
-void TestArchiveWriter::acceptsClockSteps()
-{
-    ArchiveBench bench(archiveConfig(file()));
-    bench.open(noon);
-    for (const auto offset : {0s, 3600s, 60s}) {
-        for (int second = 1; second <= 40; ++second) {
-            bench.read(1, noon + offset + second * 1s, second);
-        }
-        bench.writer->flush();
-    }
-    bench.close();
-    const Buckets all = bench.fullRate(tiltX, noon, noon + 2h);
-    QCOMPARE(all.size(), 120);
-    QVERIFY(std::is_sorted(all.begin(), all.end(), [](const auto &a, const auto &b) { return a.from < b.from; }));
-    QVERIFY(all.at(40).from == noon + 61s);
-    quint32 count = 0;
-    for (const SeriesBucket &bucket : bench.ask(tiltX, noon, noon + 2h, 120).buckets) {
-        count += bucket.count;
-    }
-    QCOMPARE(count, 120U);
-}
-
 void TestArchiveWriter::leavesInvalidValuesOut()
 {
     ArchiveBench bench(archiveConfig(file()));
@@ -330,6 +224,36 @@ void TestArchiveWriter::leavesInvalidValuesOut()
     const SeriesBucket bucket = bench.ask({2, Quantity::TiltX}, noon, noon + 10min, 10).buckets.at(5);
     QCOMPARE(bucket.count, 60U);
     QCOMPARE(bucket.valid, 40U);
+}
+
+/// A sensor with RotX measures in no steps: its tilt is kept in 1/4096 of an arc-second, and so is short.
+void TestArchiveWriter::roundsTurnedAxes()
+{
+    ArchiveConfig config = archiveConfig(file());
+    config.lines[0].sensors[0].rotationX = 30;
+    config.lines[0].sensors[0].offsetX = 0.1;
+    ArchiveBench bench(config);
+    bench.open(noon);
+    for (int second = 0; second < 600; ++second) {
+        Reading reading = tiltReading(1, noon + second * 1s, 0);
+        reading.tilt = Tilt{1 + 1.25 / 4096 + second, 100.1 + 0.003 * std::sin(second)};
+        bench.writer->updateReadings({reading});
+        reading.number = 2;
+        bench.writer->updateReadings({reading});
+    }
+    bench.writer->flush();
+    bench.close();
+    const Buckets turned = bench.fullRate(tiltX, noon, noon + 1h);
+    QCOMPARE(turned.size(), 600);
+    QCOMPARE(turned.at(7).mean, 8.000244140625); // 8 + 1/4096
+    QCOMPARE(bench.fullRate({2, Quantity::TiltX}, noon, noon + 1h).at(7).mean, 8 + 1.25 / 4096);
+    ArchiveDatabase database(bench.config, ArchiveDatabase::Access::Read);
+    QVERIFY(database.open());
+    const auto size = [&database](int number) {
+        return database.single(QStringLiteral("SELECT sum(length(data)) FROM chunk WHERE number = ?"), {number})
+            .toInt();
+    };
+    QVERIFY2(size(1) > 0 && size(1) < 600 * 2 && size(2) > 600 * 5, qPrintable(QString::number(size(1))));
 }
 
 void TestArchiveWriter::refusesASecondWriter()

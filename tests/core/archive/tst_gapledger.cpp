@@ -113,6 +113,9 @@ private Q_SLOTS:
     void tellsLosses();
     void stopEndsWhatIsOpen();
     void fillsParts();
+    void fillsFromOneValueToTheNext_data();
+    void fillsFromOneValueToTheNext();
+    void joinsWhatIsFilled();
     void countsCompleteness();
     void countsDaysOfTheZone();
 };
@@ -297,6 +300,55 @@ void TestGapLedger::fillsParts()
     const QList<Gap> both{
         {1, noon, noon + 10s, GapReason::NoAnswer, ring}, {1, noon + 10s, {}, GapReason::NoAnswer, {}}};
     QCOMPARE(filled(open, {noon - 5s, noon + 10s}, ring), both);
+}
+
+void TestGapLedger::fillsFromOneValueToTheNext_data()
+{
+    using Seconds = QList<int>;
+    QTest::addColumn<Seconds>("values");
+    QTest::addColumn<Seconds>("parts"); // from, to, from, to …
+    QTest::newRow("none") << Seconds{} << Seconds{};
+    QTest::newRow("outside") << Seconds{-10, 100, 110} << Seconds{};
+    QTest::newRow("one") << Seconds{40} << Seconds{40, 50};
+    QTest::newRow("one at the beginning") << Seconds{15} << Seconds{0, 25};
+    QTest::newRow("one at the end") << Seconds{85} << Seconds{85, 100};
+    QTest::newRow("the last has no room") << Seconds{84} << Seconds{84, 94};
+    QTest::newRow("late ones") << Seconds{20, 35, 45, 57} << Seconds{20, 67};
+    QTest::newRow("one is missing") << Seconds{20, 30, 46, 50} << Seconds{20, 40, 46, 60};
+    QTest::newRow("all of it") << Seconds{0, 10, 20, 30, 40, 50, 60, 70, 80, 90} << Seconds{0, 100};
+}
+
+/// A gap of 100 s and a recorder with a period of ten.
+void TestGapLedger::fillsFromOneValueToTheNext()
+{
+    QFETCH(QList<int>, values);
+    QFETCH(QList<int>, parts);
+    std::vector<UtcTime> times;
+    for (const int value : values) {
+        times.push_back(noon + value * 1s);
+    }
+    QList<int> found;
+    for (const TimeSpan &part : filledParts({noon, noon + 100s}, times, 10s)) {
+        found << static_cast<int>((part.from - noon) / 1s) << static_cast<int>((part.to - noon) / 1s);
+    }
+    QCOMPARE(found, parts);
+    QCOMPARE(usualDistance({noon, noon + 9s, noon + 20s, noon + 90s}), std::chrono::microseconds(11s));
+    QCOMPARE(usualDistance({noon}), std::chrono::microseconds(0));
+}
+
+void TestGapLedger::joinsWhatIsFilled()
+{
+    const QString ring = QStringLiteral("ring");
+    const QList<Gap> gaps{{1, noon, noon + 1s, GapReason::Crc, {}},
+                          {1, noon + 1s, noon + 2s, GapReason::Crc, ring},
+                          {1, noon + 2s, noon + 3s, GapReason::Crc, ring},
+                          {1, noon + 4s, noon + 5s, GapReason::Crc, ring},
+                          {1, noon + 5s, noon + 6s, GapReason::Disk, ring},
+                          {1, noon + 6s, {}, GapReason::Disk, {}}};
+    QList<Gap> expected = gaps;
+    expected.removeAt(2);
+    expected[1].to = noon + 3s;
+    QCOMPARE(joined(gaps), expected);
 }
 
 void TestGapLedger::countsCompleteness()

@@ -1,6 +1,7 @@
 #include "core/archive/retention.h"
 #include "tests/core/archive/archivesite.h"
 
+#include <QFileInfo>
 #include <QTest>
 
 using namespace gorizont;
@@ -113,6 +114,9 @@ void TestRetention::removesTheOldestOfWhatIsTooLarge()
     QVERIFY(sweepAll(retention, noon) > 1);
     QCOMPARE(count(*m_store, QStringLiteral("chunk")), 0);
     QVERIFY(usedBytes(m_store->database()) <= 1'000'000);
+    QCOMPARE(m_store->database().single(QStringLiteral("PRAGMA freelist_count")).toInt(), 0);
+    m_store->database().close();
+    QVERIFY(QFileInfo(m_folder->filePath(QStringLiteral("a.sqlite"))).size() <= 1'100'000);
 }
 
 void TestRetention::removesNothingUnasked()

@@ -1,6 +1,7 @@
 #include "core/archive/spoolbatch.h"
 #include "core/archive/spoolfile.h"
 #include "tests/core/archive/archivesite.h"
+#include "tests/core/archive/failingdisk.h"
 
 #include <QDir>
 #include <QTest>
@@ -47,6 +48,8 @@ private Q_SLOTS:
     void becomesEmpty();
     void hasABound();
     void explainsWhereItCannotBe();
+    void everyCallMayFail_data();
+    void everyCallMayFail();
     void packsBatches();
     void refusesCutBatches();
 
@@ -187,6 +190,48 @@ void TestSpool::explainsWhereItCannotBe()
     QVERIFY(!spool.error().isEmpty());
 }
 
+void TestSpool::everyCallMayFail_data()
+{
+    QTest::addColumn<DiskCall>("call");
+    QTest::newRow("write") << DiskCall::Write;
+    QTest::newRow("fsync") << DiskCall::Sync;
+    QTest::newRow("open") << DiskCall::Open;
+    QTest::newRow("truncate") << DiskCall::Truncate;
+}
+
+/// What failed is tried again, and is there once, in its place.
+void TestSpool::everyCallMayFail()
+{
+    QFETCH(DiskCall, call);
+    bool hasFailed = true;
+    int failures = 0;
+    for (int nth = 1; hasFailed; ++nth) {
+        init();
+        const QString file = m_folder->filePath(QStringLiteral("archive.spool"));
+        QByteArrayList expected;
+        {
+            SpoolFile spool(file, plenty);
+            const FailingDisk disk(call, nth);
+            for (int i = 0; i < 10; ++i) {
+                expected.append("batch " + QByteArray::number(i));
+                QVERIFY(spool.append(expected.last()) || spool.append(expected.last()));
+                if (i == 4) {
+                    spool.drop(spool.size()); // the server had them; the file becomes empty, or does so later
+                    expected.clear();
+                }
+            }
+            hasFailed = disk.hasFailed();
+            failures += hasFailed ? 1 : 0;
+            QCOMPARE(readAll(spool), expected);
+        }
+        SpoolFile again(file, plenty);
+        QVERIFY(again.open());
+        QCOMPARE(again.next().sequence, 11);
+        QCOMPARE(readAll(again).sliced(readAll(again).size() - 5), expected);
+    }
+    QCOMPARE(failures, call == DiskCall::Open || call == DiskCall::Truncate ? 1 : 10);
+}
+
 void TestSpool::packsBatches()
 {
     ArchiveBatch batch;
@@ -204,6 +249,10 @@ void TestSpool::packsBatches()
     QCOMPARE(read->readings, batch.readings);
     QCOMPARE(read->entries, batch.entries);
     QVERIFY(*read == batch);
+    batch.backfills = {
+        {7, QStringLiteral("память"), 900s, {{7, noon - 1h, QStringLiteral("X 12"), QByteArray("\0\1", 2)}}, {}, {}},
+        {1, {}, 0s, {}, batch.readings, batch.blocks}};
+    QVERIFY(ArchiveBatch::decode(batch.encode()) == batch);
 }
 
 void TestSpool::refusesCutBatches()
@@ -212,11 +261,14 @@ void TestSpool::refusesCutBatches()
     batch.time = noon;
     batch.readings = {keptReading(tiltReading(1, noon, 77), {Quantity::TiltX})};
     batch.entries = {{JournalKind::Error, noon, QStringLiteral("text"), 3, 0}};
-    const QByteArray bytes = batch.encode();
-    for (qsizetype length = 0; length < bytes.size(); ++length) {
-        QVERIFY(!ArchiveBatch::decode(bytes.first(length)));
+    for (int round = 0; round < 2; ++round) {
+        const QByteArray bytes = batch.encode();
+        for (qsizetype length = 0; length < bytes.size(); ++length) {
+            QVERIFY(!ArchiveBatch::decode(bytes.first(length)));
+        }
+        QVERIFY(!ArchiveBatch::decode(bytes + 'x'));
+        batch.backfills = {{7, QStringLiteral("memory"), 900s, {{7, noon, QStringLiteral("X"), "data"}}, {}, {}}};
     }
-    QVERIFY(!ArchiveBatch::decode(bytes + 'x'));
 }
 
 QTEST_GUILESS_MAIN(TestSpool)

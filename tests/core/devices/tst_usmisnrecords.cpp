@@ -19,8 +19,7 @@ private Q_SLOTS:
     void notOfTheTable_data();
     void notOfTheTable();
     void forTheArchive();
-    void covers_data();
-    void covers();
+    void saysWhatTheSensorMeasured();
 };
 
 namespace {
@@ -149,41 +148,43 @@ void TstUsmisnRecords::forTheArchive()
     QCOMPARE(kept.data, QByteArray("2017-01-01T10:40:55Z,1483267255,01234567,1,45612,-2.48289,0.00860,26.33\r\n"));
 }
 
-void TstUsmisnRecords::covers_data()
+/// 3.6″ is 0.001°. Whoever lacks its other axis says nothing.
+void TstUsmisnRecords::saysWhatTheSensorMeasured()
 {
-    QTest::addColumn<QList<qint64>>("seconds"); ///< of the measurements
-    QTest::addColumn<QList<int>>("numbers");
-    QTest::addColumn<QList<qint64>>("spans"); ///< from, to, from, to, …
-    using Times = QList<qint64>;
-    using Numbers = QList<int>;
-    QTest::newRow("nothing") << Times{} << Numbers{} << Times{};
-    QTest::newRow("a moment") << Times{1000} << Numbers{1} << Times{};
-    QTest::newRow("a run") << Times{1000, 1900, 2800} << Numbers{1, 2, 3} << Times{1000, 2800};
-    QTest::newRow("a number is missing") << Times{1000, 1900, 3700, 4600} << Numbers{1, 2, 4, 5}
-                                         << Times{1000, 1900, 3700, 4600};
-    QTest::newRow("twelve hours") << Times{1000, 44200} << Numbers{1, 2} << Times{1000, 44200};
-    QTest::newRow("more than a recorder pauses") << Times{1000, 44201} << Numbers{1, 2} << Times{};
-    QTest::newRow("a clock set back") << Times{5000, 1000, 1900} << Numbers{1, 2, 3} << Times{1000, 1900};
-}
-
-void TstUsmisnRecords::covers()
-{
-    QFETCH(QList<qint64>, seconds);
-    QFETCH(QList<int>, numbers);
-    QFETCH(QList<qint64>, spans);
-    QList<Value> records;
-    for (qsizetype i = 0; i < seconds.size(); ++i) {
-        Value value = record(static_cast<quint32>(numbers.at(i)), 1 + static_cast<int>(i) % 2);
-        value.timestamp = seconds.at(i);
-        records.append(value);
-    }
-    QList<qint64> covered;
-    for (const TimeSpan &span : coveredBy(records)) {
-        for (const UtcTime time : {span.from, span.to}) {
-            covered.append(std::chrono::floor<std::chrono::seconds>(time.time_since_epoch()).count());
-        }
-    }
-    QCOMPARE(covered, spans);
+    SensorConfig sensor;
+    sensor.number = 5;
+    sensor.isYInverted = true;
+    sensor.offsetX = 0.6;
+    sensor.offsetT = 1;
+    RecordBook book;
+    const auto add = [&book](quint32 measurement, int channel, qint64 timestamp, double value) {
+        Value one = record(measurement, channel);
+        one.timestamp = timestamp;
+        one.value = value;
+        QVERIFY(book.add(one));
+    };
+    add(1, 1, 1000, 0.001);
+    add(2, 2, 1001, 0.002);
+    add(3, 2, 1900, 0.004); // X of it is lost
+    add(5, 1, 2800, 0.003);
+    add(6, 2, 3700, 0.005); // of another time
+    add(7, 1, 4600, -0.001);
+    add(8, 2, 4600, 0);
+    Value outOfRange = record(9, 1);
+    outOfRange.timestamp = 5500;
+    outOfRange.state = ValueState::OutOfRange;
+    QVERIFY(book.add(outOfRange));
+    add(10, 2, 5501, 1);
+    const Readings readings = readingsOf(book.records(), sensor);
+    QCOMPARE(readings.size(), 2);
+    QCOMPARE(readings.first().number, 5);
+    QVERIFY(readings.first().time == UtcTime(std::chrono::seconds(1000)));
+    QVERIFY(readings.first().isAnswer);
+    QCOMPARE(readings.first().tilt.value().x, 3.0);
+    QCOMPARE(readings.first().tilt.value().y, -7.2);
+    QCOMPARE(readings.first().temperature.value(), 25.33);
+    QVERIFY(readings.last().time == UtcTime(std::chrono::seconds(4600)));
+    QCOMPARE(readings.last().tilt.value().x, -4.2);
 }
 
 QTEST_GUILESS_MAIN(TstUsmisnRecords)

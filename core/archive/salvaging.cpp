@@ -1,0 +1,67 @@
+// The part of ArchiveRecorder that goes on after damage.
+
+#include "core/archive/archiverecorder.h"
+
+namespace gorizont {
+
+void ArchiveRecorder::startAnew()
+{
+    m_store.database().close();
+    m_rollups.forget();
+    m_known.clear();
+    m_open.forgetRows();
+    m_lastRow = 0;
+    m_isAnew = true;
+}
+
+void ArchiveRecorder::startSalvage(const QString &file)
+{
+    m_salvage = std::make_unique<Salvage>(file, m_config, !m_hasStarted);
+}
+
+/// False: the store failed; the same rows are tried again.
+bool ArchiveRecorder::salvage()
+{
+    if (!m_salvage) {
+        return true;
+    }
+    ArchiveDatabase &database = m_store.database();
+    const QHash<int, KnownSensor> knownBefore = m_known;
+    auto outcome = database.begin() ? m_salvage->step(m_store, m_rollups) : Salvage::Outcome::Failed;
+    const bool isGood = outcome != Salvage::Outcome::Failed && putSalvagedSensors() && database.commit();
+    if (!isGood) {
+        fail();
+        database.rollback();
+        m_rollups.forget();
+        m_salvage->undo();
+        m_known = knownBefore;
+        return false;
+    }
+    if (outcome == Salvage::Outcome::Done) {
+        m_note(
+            JournalKind::Info,
+            tr("What could be read of the damaged archive is in the new one: %1 rows.").arg(m_salvage->rescued()));
+        m_salvage.reset();
+    }
+    return true;
+}
+
+bool ArchiveRecorder::putSalvagedSensors()
+{
+    const QHash<int, UtcTime> from = m_salvage->knownFrom();
+    for (auto sensor = from.cbegin(); sensor != from.cend(); ++sensor) {
+        const auto known = m_known.constFind(sensor.key());
+        if (known != m_known.constEnd() && known->from <= *sensor) {
+            continue;
+        }
+        KnownSensor &earlier = m_known[sensor.key()];
+        earlier.from = *sensor;
+        earlier.until = std::max(earlier.until, *sensor);
+        if (!m_store.putSensor(sensor.key(), earlier)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace gorizont
