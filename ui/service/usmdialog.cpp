@@ -108,13 +108,24 @@ QString UsmDialog::unfinished(bool) const
     return {};
 }
 
-/// What runs in the thread of the line ends soon.
+/// What runs in the thread of the line ends soon; what it has brought is kept.
 void UsmDialog::breakOff()
 {
     if (m_stream) {
         m_stream->stop();
+        takeRecords();
     }
     m_isWakingStopped = true;
+}
+
+/// Of a session that is over nobody answers any more.
+void UsmDialog::dropTask()
+{
+    m_task = Task::None;
+    m_drain->stop();
+    m_fetch.reset();
+    m_stream.reset();
+    m_form->recorder()->showWaking({});
 }
 
 bool UsmDialog::begin(Task task)
@@ -145,7 +156,7 @@ void UsmDialog::read(const QString &before)
     if (isToRead) {
         beginWork(); // first, so that the focus is remembered
     }
-    m_task = Task::None;
+    dropTask();
     m_identity.reset();
     m_form->device()->clear();
     m_form->settings()->offer(port().line, scan()->free());
