@@ -105,6 +105,23 @@ private Q_SLOTS:
         QVERIFY(!m->wasSent("NEW"));
     }
 
+    /// A download holds its line and no other.
+    void otherLinesArePolledMeanwhile()
+    {
+        const QList<SensorConfig> neighbours{usm(1, 6, 7)};
+        ServiceBench other(serviceLine(neighbours), neighbours);
+        openHeld();
+        m->button("downloadAll")->click();
+        m_isAsked.acquire();
+        for (int turn = 0; turn < 3; ++turn) {
+            other.forgetAnswers();
+            QTRY_VERIFY_WITH_TIMEOUT(other.isPolled(), patience);
+        }
+        QCOMPARE(m->text("recordCount"), QStringLiteral("0"));
+        m_mayGoOn.release(2);
+        QTRY_COMPARE_WITH_TIMEOUT(m->text("recordCount"), QStringLiteral("2"), patience);
+    }
+
     /// Polling goes on, however much the device would still send.
     void leavingBreaksTheDownloadOff()
     {

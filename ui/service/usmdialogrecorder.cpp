@@ -15,7 +15,7 @@ using namespace usmisn;
 
 namespace {
 
-constexpr int mostAttempts = static_cast<int>(Service::stopLimit / Service::repeatStop);
+constexpr int mostWakings = static_cast<int>(Service::stopLimit / Service::repeatStop);
 
 } // namespace
 
@@ -79,7 +79,7 @@ void UsmDialog::wake()
 /// A recorder listens for one second in 26 (in another place of the manual, in 60): it is asked again and again.
 void UsmDialog::wakeNext()
 {
-    m_form->recorder()->showWaking(100 * m_wakeAttempts / mostAttempts);
+    m_form->recorder()->showWaking(100 * m_wakeAttempts / mostWakings);
     updateControls();
     say(m_wakeAddress == everybody ? tr("Every recorder on the line is being woken; nobody answers that…")
                                    : tr("Waiting until recorder %1 listens…").arg(m_wakeAddress));
@@ -91,7 +91,7 @@ void UsmDialog::wakeNext()
 void UsmDialog::onWakeTried(const Result<void> &stopped)
 {
     const bool isForAll = m_wakeAddress == everybody;
-    const bool isOver = ++m_wakeAttempts >= mostAttempts;
+    const bool isOver = ++m_wakeAttempts >= mostWakings;
     if (stopped && !isForAll) {
         endWaking(tr("it does not record any more"), true);
     } else if (!isInService() || (!stopped && !isWorthAnother(stopped.fault()))) {
