@@ -52,6 +52,23 @@
     </message>
 </context>
 <context>
+    <name>gorizont::UsmDialog</name>
+    <message numerus="yes">
+        <source>%n new record(s)</source>
+        <translation>
+            <numerusform>%n new record</numerusform>
+            <numerusform>%n new records</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n record(s) saved</source>
+        <translation>
+            <numerusform>%n record saved</numerusform>
+            <numerusform>%n records saved</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gorizont::tool::Text</name>
     <message numerus="yes">
         <source>address %1, %n sensor(s) found</source>

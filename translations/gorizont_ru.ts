@@ -3048,6 +3048,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>The archive is not being written: %1 Until it is, what is measured waits in %2.</source>
         <translation>Архив не записывается: %1 До тех пор измеренное ждёт в %2.</translation>
     </message>
+    <message>
+        <source>%1 records of devices are not in the archive. Download all of them again.</source>
+        <translation>Записей приборов не попало в архив: %1. Загрузите все записи ещё раз.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::AttentionBanner</name>
@@ -5409,6 +5413,563 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::UsmDevicePanel</name>
+    <message>
+        <source>About the device</source>
+        <translation>Об устройстве</translation>
+    </message>
+    <message>
+        <source>%1, not an УСМ-ИСН</source>
+        <translation>%1, не УСМ-ИСН</translation>
+    </message>
+    <message>
+        <source>Serial number:</source>
+        <translation>Серийный номер:</translation>
+    </message>
+    <message>
+        <source>Type:</source>
+        <translation>Тип:</translation>
+    </message>
+    <message>
+        <source>Calibrated on:</source>
+        <translation>Дата калибровки:</translation>
+    </message>
+    <message>
+        <source>Calibrations so far:</source>
+        <translation>Счётчик калибровок:</translation>
+    </message>
+    <message>
+        <source>Program of:</source>
+        <translation>Программа от:</translation>
+    </message>
+    <message>
+        <source>Channels:</source>
+        <translation>Каналы:</translation>
+    </message>
+    <message>
+        <source>Measuring now</source>
+        <translation>Измерение сейчас</translation>
+    </message>
+    <message>
+        <source>Keep it in the memory of the device</source>
+        <translation>Записать и в память прибора</translation>
+    </message>
+    <message>
+        <source>Takes two of the %1 records; the oldest ones are overwritten.</source>
+        <translation>Займёт две записи из %1; самые старые перезаписываются.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>Из&amp;мерить</translation>
+    </message>
+    <message>
+        <source>Up to 1.5 s an axis</source>
+        <translation>До 1,5 с на ось</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::UsmDialog</name>
+    <message>
+        <source>Records are still being downloaded. Break it off? What the device has sent meanwhile only &lt;Download all&gt; brings again.</source>
+        <translation>Записи ещё загружаются. Прервать? То, что прибор за это время послал, ещё раз вернёт только &lt;Загрузить все&gt;.</translation>
+    </message>
+    <message>
+        <source>The recorder is still being woken. Break it off?</source>
+        <translation>Регистратор ещё не разбужен. Прервать?</translation>
+    </message>
+    <message>
+        <source>Reading sensor %1…</source>
+        <translation>Чтение параметров датчика %1…</translation>
+    </message>
+    <message>
+        <source>Sensor %1 cannot be read: %2.</source>
+        <translation>Параметры датчика %1 не прочитаны: %2.</translation>
+    </message>
+    <message>
+        <source>This is another device of the УСМ series (type %1); nothing of it can be set here.</source>
+        <translation>Это другой прибор серии УСМ (тип %1); здесь он не настраивается.</translation>
+    </message>
+    <message>
+        <source>Looking for %1…</source>
+        <translation>Поиск %1…</translation>
+    </message>
+    <message>
+        <source>The device measures…</source>
+        <translation>Прибор измеряет…</translation>
+    </message>
+    <message>
+        <source>The device keeps what it measured.</source>
+        <translation>Измеренное записано в память прибора.</translation>
+    </message>
+    <message>
+        <source>The first measurement has to lie in the future. Nothing was sent.</source>
+        <translation>Первое измерение должно быть в будущем. Ничего не послано.</translation>
+    </message>
+    <message>
+        <source>It sleeps, measures every %1 s and answers nobody until it is woken here, which takes up to two minutes, or is without power for more than a minute.</source>
+        <translation>Он спит, измеряет каждые %1 с и никому не отвечает, пока его не разбудят здесь (до двух минут) или пока он не останется без питания больше минуты.</translation>
+    </message>
+    <message>
+        <source>Make ALL devices of the УСМ series on this line recorders?</source>
+        <translation>Перевести ВСЕ приборы серии УСМ на этой линии в режим автономного регистратора?</translation>
+    </message>
+    <message>
+        <source>Make sensor %1 a recorder?</source>
+        <translation>Перевести датчик %1 в режим автономного регистратора?</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Начать</translation>
+    </message>
+    <message>
+        <source>recorder mode</source>
+        <translation>режим автономного регистратора</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>Sensor %1: %2</source>
+        <translation>Датчик %1: %2</translation>
+    </message>
+    <message>
+        <source>Every recorder on the line is being woken; nobody answers that…</source>
+        <translation>Все регистраторы на линии выводятся из режима; на это никто не отвечает…</translation>
+    </message>
+    <message>
+        <source>Waiting until recorder %1 listens…</source>
+        <translation>Ожидание, пока регистратор %1 слушает линию…</translation>
+    </message>
+    <message>
+        <source>it does not record any more</source>
+        <translation>выведен из режима автономного регистратора</translation>
+    </message>
+    <message>
+        <source>waking was stopped; it may still record</source>
+        <translation>вывод из режима остановлен; прибор, возможно, всё ещё регистратор</translation>
+    </message>
+    <message>
+        <source>StopCycle was sent for two minutes. Scan the line.</source>
+        <translation>StopCycle посылался две минуты. Просканируйте линию.</translation>
+    </message>
+    <message>
+        <source>it did not answer for two minutes. Check its address and power; more than a minute without power ends the recorder mode too</source>
+        <translation>не ответил за две минуты. Проверьте адрес и питание; больше минуты без питания тоже завершают режим регистратора</translation>
+    </message>
+    <message>
+        <source>is not written here; save the records as CSV</source>
+        <translation>здесь не ведётся; сохраните записи в CSV</translation>
+    </message>
+    <message>
+        <source>keeps nothing of it: no sensor of the configuration file has this address</source>
+        <translation>не сохраняет: у датчиков файла конфигурации нет такого адреса</translation>
+    </message>
+    <message>
+        <source>keeps nothing of it: the configuration file expects %1 at this address (SND3%2)</source>
+        <translation>не сохраняет: по этому адресу файл конфигурации ждёт прибор %1 (SND3%2)</translation>
+    </message>
+    <message>
+        <source>keeps each record once, for sensor N %1</source>
+        <translation>сохраняет каждую запись один раз, для датчика N %1</translation>
+    </message>
+    <message>
+        <source>Downloading records, channel %1…</source>
+        <translation>Загрузка записей, канал %1…</translation>
+    </message>
+    <message>
+        <source>The transfer broke off; it goes on with all records, those known are passed over.</source>
+        <translation>Передача оборвалась; запрошены все записи, уже полученные пропускаются.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new record(s)</source>
+        <translation>
+            <numerusform>%n новая запись</numerusform>
+            <numerusform>%n новые записи</numerusform>
+            <numerusform>%n новых записей</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1; the download was stopped. The device may go on sending for some minutes; the next download asks for all records.</source>
+        <translation>%1; загрузка остановлена. Прибор может передавать ещё несколько минут; следующая загрузка запросит все записи.</translation>
+    </message>
+    <message>
+        <source>%1; the device does not understand the request for its records.</source>
+        <translation>%1; прибор не понял запрос записей.</translation>
+    </message>
+    <message>
+        <source>%1; the download broke off (%2). The next one asks for all records and goes on with those missing.</source>
+        <translation>%1; загрузка оборвалась (%2). Следующая запросит все записи и продолжит с недостающих.</translation>
+    </message>
+    <message>
+        <source>Save the records</source>
+        <translation>Сохранить записи</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n record(s) saved</source>
+        <translation>
+            <numerusform>Сохранена %n запись</numerusform>
+            <numerusform>Сохранены %n записи</numerusform>
+            <numerusform>Сохранено %n записей</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The records were not saved (%1). Choose another folder.</source>
+        <translation>Записи не сохранены (%1). Выберите другую папку.</translation>
+    </message>
+    <message>
+        <source>Give ALL devices of the УСМ series on this line the address %1? Several with one address cannot be asked any more. Go on only if there is just one.</source>
+        <translation>Установить ВСЕМ приборам серии УСМ на этой линии адрес %1? Несколько приборов с одним адресом опросить нельзя. Продолжайте, только если прибор один.</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>За&amp;пись</translation>
+    </message>
+    <message>
+        <source>new address %1</source>
+        <translation>новый адрес %1</translation>
+    </message>
+    <message>
+        <source>Give sensor %1 the address %2?</source>
+        <translation>Установить датчику %1 адрес %2?</translation>
+    </message>
+    <message>
+        <source>Give ALL devices of the УСМ series on this line the port settings %1? None of them answers; this port does not hear them any more until its own settings follow.</source>
+        <translation>Установить ВСЕМ приборам серии УСМ на этой линии параметры порта %1? Ни один не ответит; порт не услышит их, пока не изменены его собственные параметры.</translation>
+    </message>
+    <message>
+        <source>port settings %1</source>
+        <translation>параметры порта %1</translation>
+    </message>
+    <message>
+        <source>Give sensor %1 the port settings %2? This port does not hear it any more until its own settings follow.</source>
+        <translation>Установить датчику %1 параметры порта %2? Порт не услышит его, пока не изменены его собственные параметры.</translation>
+    </message>
+    <message>
+        <source>%1, sent to all devices; nobody answers that. Scan the line.</source>
+        <translation>%1: послано всем приборам, на это никто не отвечает. Просканируйте линию.</translation>
+    </message>
+    <message>
+        <source>%1, not sent: %2</source>
+        <translation>%1, не послано: %2</translation>
+    </message>
+    <message>
+        <source>The line is silent, so that devices that hang restart…</source>
+        <translation>Линия молчит, чтобы зависшие приборы перезапустились…</translation>
+    </message>
+    <message>
+        <source>The line was silent; devices that hung have restarted.</source>
+        <translation>Линия молчала; зависшие приборы перезапустились.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::UsmForm</name>
+    <message>
+        <source>Device</source>
+        <translation>Прибор</translation>
+    </message>
+    <message>
+        <source>Address and port</source>
+        <translation>Адрес и порт</translation>
+    </message>
+    <message>
+        <source>Recorder</source>
+        <translation>Регистратор</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>Exchange</source>
+        <translation>Параметры обмена</translation>
+    </message>
+    <message>
+        <source>One or several serial numbers with blanks between them. Up to 3 s each.</source>
+        <translation>Один или несколько серийных номеров через пробел. До 3 с на каждый.</translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Найти</translation>
+    </message>
+    <message>
+        <source>Add&amp;ress on the line:</source>
+        <translation>&amp;Адрес на линии:</translation>
+    </message>
+    <message>
+        <source>Find by serial n&amp;umber:</source>
+        <translation>Поиск по серийному номе&amp;ру:</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::UsmRecorderPanel</name>
+    <message>
+        <source>For all devices on the line (none of them answers)</source>
+        <translation>Для всех приборов на линии (ни один не ответит)</translation>
+    </message>
+    <message>
+        <source>A recorder sleeps, measures by its clock and answers nobody; polling shows it as one that does not answer. More than a minute without power ends this mode too.</source>
+        <translation>Автономный регистратор спит, измеряет по своим часам и никому не отвечает; опрос показывает, что ответа нет. Больше минуты без питания тоже завершают этот режим.</translation>
+    </message>
+    <message>
+        <source>Recorder mode</source>
+        <translation>Режим автономного регистратора</translation>
+    </message>
+    <message>
+        <source>So that several devices do not measure at the same time</source>
+        <translation>Чтобы несколько приборов не измеряли одновременно</translation>
+    </message>
+    <message>
+        <source>&amp;Begin to record</source>
+        <translation>Начать ре&amp;гистрацию</translation>
+    </message>
+    <message>
+        <source>First measurement (local time):</source>
+        <translation>Первое измерение (местное время):</translation>
+    </message>
+    <message>
+        <source>Period, s:</source>
+        <translation>Период, с:</translation>
+    </message>
+    <message>
+        <source>Delay before each, s:</source>
+        <translation>Задержка перед каждым, с:</translation>
+    </message>
+    <message>
+        <source>End of the recorder mode</source>
+        <translation>Вывод из режима регистратора</translation>
+    </message>
+    <message>
+        <source>A recorder listens now and then for a second: this takes up to two minutes.</source>
+        <translation>Регистратор время от времени слушает линию одну секунду: это занимает до двух минут.</translation>
+    </message>
+    <message>
+        <source>Address of the recorder:</source>
+        <translation>Адрес регистратора:</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>Сто&amp;п</translation>
+    </message>
+    <message>
+        <source>&amp;Wake</source>
+        <translation>Разб&amp;удить</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::UsmRecordsPanel</name>
+    <message>
+        <source>Download the &amp;new ones</source>
+        <translation>Загрузить нов&amp;ые</translation>
+    </message>
+    <message>
+        <source>Download &amp;all</source>
+        <translation>Загрузить вс&amp;е</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>Сто&amp;п</translation>
+    </message>
+    <message>
+        <source>Save as &amp;CSV…</source>
+        <translation>Сохранить в &amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Those that were not read before. The device counts as read what it has sent.</source>
+        <translation>Те, что ещё не считывались. Прибор считает прочитанным всё, что послал.</translation>
+    </message>
+    <message>
+        <source>Up to %1 records; some minutes at 9600, in which the other sensors of the port are not asked.</source>
+        <translation>До %1 записей; на 9600 — несколько минут, остальные датчики порта в это время не опрашиваются.</translation>
+    </message>
+    <message>
+        <source>How many numbers of measurements (MeasID) are missing between the first and the last one</source>
+        <translation>Сколько номеров измерений (MeasID) отсутствует между первым и последним</translation>
+    </message>
+    <message>
+        <source>Records here:</source>
+        <translation>Загружено записей:</translation>
+    </message>
+    <message>
+        <source>Measured:</source>
+        <translation>Измерены:</translation>
+    </message>
+    <message>
+        <source>Measurements missing:</source>
+        <translation>Пропущено измерений:</translation>
+    </message>
+    <message>
+        <source>Archive:</source>
+        <translation>Архив:</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::UsmSettingsPanel</name>
+    <message>
+        <source>For all devices on the line (none of them answers)</source>
+        <translation>Для всех приборов на линии (ни один не ответит)</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Адрес</translation>
+    </message>
+    <message>
+        <source>Write the &amp;address</source>
+        <translation>Зап&amp;исать адрес</translation>
+    </message>
+    <message>
+        <source>&amp;New address:</source>
+        <translation>Новый а&amp;дрес:</translation>
+    </message>
+    <message>
+        <source>Port settings</source>
+        <translation>Параметры порта</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>чёт</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <translation>нечёт</translation>
+    </message>
+    <message>
+        <source>Factory settings 9600-N-1</source>
+        <translation>Заводские 9600-N-1</translation>
+    </message>
+    <message>
+        <source>Write the &amp;port settings</source>
+        <translation>Записать &amp;параметры порта</translation>
+    </message>
+    <message>
+        <source>Afterwards the device is asked at the new settings.</source>
+        <translation>После этого прибор опрашивается с новыми параметрами.</translation>
+    </message>
+    <message>
+        <source>Speed:</source>
+        <translation>Скорость:</translation>
+    </message>
+    <message>
+        <source>Parity:</source>
+        <translation>Чётность:</translation>
+    </message>
+    <message>
+        <source>Stop bits:</source>
+        <translation>Стоп-биты:</translation>
+    </message>
+    <message>
+        <source>A device hangs</source>
+        <translation>Прибор завис</translation>
+    </message>
+    <message>
+        <source>Keep silent for 30 s</source>
+        <translation>Молчать 30 с</translation>
+    </message>
+    <message>
+        <source>Every УСМ restarts that hears no message for 26 s, those that do not hang too.</source>
+        <translation>Каждый УСМ, который 26 с не слышит сообщений, перезапускается, исправные тоже.</translation>
+    </message>
+    <message>
+        <source>Addresses where nobody answered</source>
+        <translation>Адреса, по которым никто не ответил</translation>
+    </message>
+    <message>
+        <source>The address can be changed only after a complete scan that was not stopped.</source>
+        <translation>Адрес можно сменить только после полного сканирования, которое не было остановлено.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::UsmText</name>
+    <message>
+        <source>out of the range of measurement, %1 °C</source>
+        <translation>вне диапазона измерения, %1 °C</translation>
+    </message>
+    <message>
+        <source>the device cannot measure; its transducer may be broken (ErrorSensor)</source>
+        <translation>прибор не смог измерить, возможно, неисправен датчик (ErrorSensor)</translation>
+    </message>
+    <message>
+        <source>the device has no such channel (ErrorCH)</source>
+        <translation>у прибора нет такого канала (ErrorCH)</translation>
+    </message>
+    <message>
+        <source>the device does not understand the request (ErrorData)</source>
+        <translation>прибор не понял запрос (ErrorData)</translation>
+    </message>
+    <message>
+        <source>%1: it is there, but does not tell its address; scan the addresses</source>
+        <translation>%1: есть на линии, но адреса не сообщает; просканируйте адреса</translation>
+    </message>
+    <message>
+        <source>%1: address %2</source>
+        <translation>%1: адрес %2</translation>
+    </message>
+    <message>
+        <source>new address %1, written</source>
+        <translation>новый адрес %1 записан</translation>
+    </message>
+    <message>
+        <source>new address %1, not written: it is taken, or the device will not. Scan again.</source>
+        <translation>новый адрес %1 не записан: он занят или прибор отказывается. Просканируйте ещё раз.</translation>
+    </message>
+    <message>
+        <source>new address %1, not written: the device still answers at %2.</source>
+        <translation>новый адрес %1 не записан: прибор по-прежнему отвечает по адресу %2.</translation>
+    </message>
+    <message>
+        <source>new address %1, %2: whether it was written is not known. Scan the line to find the device.</source>
+        <translation>новый адрес %1, %2: записан ли он, неизвестно. Просканируйте линию, чтобы найти прибор.</translation>
+    </message>
+    <message>
+        <source>it answers at its new port settings %1</source>
+        <translation>отвечает с новыми параметрами порта %1</translation>
+    </message>
+    <message>
+        <source>it has taken the new port settings %1; this line cannot be switched over to try them</source>
+        <translation>принял новые параметры порта %1; эту линию нельзя переключить, чтобы их проверить</translation>
+    </message>
+    <message>
+        <source>it refuses the port settings %1; nothing was changed</source>
+        <translation>отказывается от параметров порта %1; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>it still answers at the old port settings, not at %1</source>
+        <translation>по-прежнему отвечает со старыми параметрами порта, не с %1</translation>
+    </message>
+    <message>
+        <source>it answers neither at the old port settings nor at %1. Switch it off and on: for its first second it listens at 9600-N-1</source>
+        <translation>не отвечает ни со старыми параметрами порта, ни с %1. Выключите и включите его: первую секунду он слушает на 9600-N-1</translation>
+    </message>
+    <message>
+        <source>what became of the port settings %1 is not known (%2)</source>
+        <translation>что стало с параметрами порта %1, неизвестно (%2)</translation>
+    </message>
+    <message>
+        <source>Write BaudRate=%1, Parity=%2, StopBits=%3 into [Port%4] of the configuration file and start the program again: until then it does not hear the device.</source>
+        <translation>Впишите BaudRate=%1, Parity=%2, StopBits=%3 в [Port%4] файла конфигурации и перезапустите программу: до этого она прибор не услышит.</translation>
+    </message>
+    <message>
+        <source>it records and sleeps; polling gets no answer until it is woken</source>
+        <translation>регистрирует и спит; пока его не разбудят, на опрос он не отвечает</translation>
+    </message>
+    <message>
+        <source>it refuses to record; nothing was changed</source>
+        <translation>отказывается от режима регистратора; ничего не изменено</translation>
+    </message>
+    <message>
+        <source>it does not answer; it may sleep already</source>
+        <translation>не отвечает; возможно, уже спит</translation>
+    </message>
+    <message>
+        <source>whether it records is not known (%1)</source>
+        <translation>перешёл ли он в режим регистратора, неизвестно (%1)</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::WaveformPage</name>
     <message>
         <source>No sensor of the configuration measures accelerations.</source>
@@ -6359,6 +6920,14 @@ backup ЦЕЛЬ    копирует его в нынешнем виде в фа�
     <message>
         <source>gorizont-tool archive --help and gorizont-tool export --help tell of the archive of readings.</source>
         <translation>Об архиве показаний рассказывают gorizont-tool archive --help и gorizont-tool export --help.</translation>
+    </message>
+    <message>
+        <source>%1 is not a table of records; name another file</source>
+        <translation>%1 — не таблица записей; укажите другой файл</translation>
+    </message>
+    <message>
+        <source>usm records: the table that is written; one that is there is continued, each record once.</source>
+        <translation>usm records: таблица для записи; существующая продолжается, каждая запись один раз.</translation>
     </message>
 </context>
 </TS>

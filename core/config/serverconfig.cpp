@@ -197,6 +197,20 @@ void complainOfRepetitions(const IniFile &file, Findings &findings)
     }
 }
 
+/// Of the site; a sensor with a key of its own decides for itself.
+void readUsmRevive(SectionReader &common, QList<LineConfig> &lines)
+{
+    bool revives = true;
+    common.take(u"UsmRevive"_s, revives);
+    for (LineConfig &line : lines) {
+        for (SensorConfig &sensor : line.sensors) {
+            if (!revives && sensor.type == SensorType::UsmIsn && !sensor.options.contains(u"usmrevive"_s)) {
+                sensor.options.insert(u"usmrevive"_s, u"0"_s);
+            }
+        }
+    }
+}
+
 } // namespace
 
 ConfigReading readServerConfig(const IniFile &file)
@@ -214,6 +228,7 @@ ConfigReading readServerConfig(const IniFile &file)
     config.metrics = readMetricsSettings(file, findings);
     config.timing = readTiming(file, findings);
     config.lines = readLines(file, findings);
+    readUsmRevive(common, config.lines);
     settleClaims(config.lines, file, findings);
     readAdc24(file, findings, config);
     config.chains = readChains(file, config.lines, findings);

@@ -28,11 +28,12 @@ private Q_SLOTS:
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
     }
 
-    /// COM16 with an ИН-Д3, COM17 with an АН-Д3, COM18 off.
+    /// COM16 with an ИН-Д3, COM17 with an АН-Д3 and an УСМ-ИСН, COM18 off.
     void init()
     {
         const QList<SensorConfig> inclinometers{serviceSensor(SensorType::InD, 1, 1, 11)};
-        const QList<SensorConfig> accelerometers{serviceSensor(SensorType::AnD3, 1, 2, 5)};
+        const QList<SensorConfig> accelerometers{
+            serviceSensor(SensorType::AnD3, 1, 2, 5), serviceSensor(SensorType::UsmIsn, 2, 4, 9)};
         LineConfig second = serviceLine(accelerometers);
         second.index = 5;
         second.com = 17;
@@ -81,9 +82,11 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(
             reason("serviceInD3"), QStringLiteral("There is no ИН-Д3 in the list of this port."), patience);
         QCOMPARE(reason("serviceAnD3"), QString());
+        QCOMPARE(reason("serviceUsm"), QString());
         m_window->select(SiteItem::line(2));
         QCOMPARE(reason("serviceInD3"), QStringLiteral("The port is off (On=0)."));
         m_window->select(SiteItem::line(0));
+        QCOMPARE(reason("serviceUsm"), QStringLiteral("There is no УСМ-ИСН in the list of this port."));
         m_first->isPlugged = false;
         QTRY_COMPARE_WITH_TIMEOUT(reason("serviceInD3"), QStringLiteral("The port is not open."), patience);
         QCOMPARE(reason("serviceAnD3"), QStringLiteral("The port is not open."));
@@ -162,6 +165,19 @@ private Q_SLOTS:
         QCOMPARE(m_second->state(), LineState::Service);
         service(0, "serviceInD3"); // and again
         QTRY_COMPARE_WITH_TIMEOUT(m_first->state(), LineState::Service, patience);
+    }
+
+    void aPortOfTwoTypesHasOneWindowAtATime()
+    {
+        service(1, "serviceUsm");
+        QTRY_COMPARE_WITH_TIMEOUT(m_second->state(), LineState::Service, patience);
+        auto *dialog = m_window->findChild<QDialog *>(QStringLiteral("usmDialog"));
+        QVERIFY(dialog);
+        QCOMPARE(dialog->windowTitle(), QStringLiteral("Settings of УСМ-ИСН sensors on COM17"));
+        QTRY_COMPARE_WITH_TIMEOUT(reason("serviceAnD3"), QStringLiteral("The port is in service already."), patience);
+        m_second->forgetAnswers();
+        dialog->close();
+        QTRY_VERIFY_WITH_TIMEOUT(m_second->isPolled(), patience);
     }
 
     /// What clients, files and screens get meanwhile: the last values, status 0700 (spec/gorizont.md, section 5).

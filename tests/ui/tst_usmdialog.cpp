@@ -1,9 +1,12 @@
 #include "tests/ui/usmdialogbench.h"
+#include "translations/translation.h"
 
 #include <QCheckBox>
+#include <QDateTimeEdit>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QSpinBox>
+#include <QTabWidget>
 
 using namespace gorizont;
 using namespace gorizont::test;
@@ -263,7 +266,48 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!m->button("measure")->isEnabled(), patience);
     }
 
+    void nothingIsCutOff_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("ru") << QStringLiteral("ru");
+        QTest::newRow("en") << QStringLiteral("en");
+    }
+    void nothingIsCutOff()
+    {
+        QFETCH(QString, language);
+        QVERIFY(installTranslation(language));
+        open();
+        QVERIFY(QTest::qWaitForWindowExposed(m->dialog));
+        auto *tabs = m->find<QTabWidget>("usmTabs");
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            tabs->setCurrentIndex(tab);
+            QCoreApplication::processEvents();
+            QCOMPARE(cutOff(*m->dialog), QString());
+        }
+        QVERIFY(installTranslation(QStringLiteral("en")));
+    }
+
 private:
+    /// The texts, divided by `; `.
+    static QString cutOff(const QWidget &window)
+    {
+        QStringList list;
+        for (const QWidget *widget : window.findChildren<QWidget *>()) {
+            const auto *label = qobject_cast<const QLabel *>(widget);
+            const auto *button = qobject_cast<const QAbstractButton *>(widget);
+            const auto *tabs = qobject_cast<const QTabBar *>(widget);
+            const bool isTold = label || tabs || (button && !button->text().isEmpty());
+            const bool isNarrow = !(label && label->wordWrap()) && widget->width() < widget->minimumSizeHint().width();
+            const bool isLow =
+                widget->height() < (label && label->wordWrap() ? label->heightForWidth(label->width()) : 0);
+            const bool hasScroll = tabs && tabs->width() < tabs->sizeHint().width();
+            if (widget->isVisible() && isTold && (isNarrow || isLow || hasScroll)) {
+                list += label ? label->text() : button ? button->text() : tabs->tabText(0);
+            }
+        }
+        return list.join(QStringLiteral("; "));
+    }
+
     void start(const BenchOptions &options = {})
     {
         m = std::make_unique<UsmDialogBench>(two, two, options);

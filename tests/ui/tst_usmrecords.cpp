@@ -13,11 +13,6 @@ namespace {
 
 const QList<SensorConfig> one{usm(1, 5, 7)};
 
-FaultPlan faults(const QString &text)
-{
-    return {*parseSimulatedFault(text)};
-}
-
 } // namespace
 
 /// The records in the service window of УСМ-ИСН, and what of them comes to the archive.
@@ -64,22 +59,32 @@ private Q_SLOTS:
         QCOMPARE(names().size(), stored);
     }
 
-    /// Answers are damaged; what New will not send again comes with All, each record once.
-    void aBrokenTransferGoesOn()
+    /// The adapter is pulled out; what New will not send again comes with All, each record once.
+    void aBrokenDownloadGoesOn()
     {
-        open({.faults = faults(QStringLiteral("crc=5"))});
-        m->change(0, [](Simulator &device) { device.overrunRing(2h); });
+        openHeld();
+        m_mayGoOn.release(2);
+        m->button("downloadAll")->click();
+        QTRY_COMPARE_WITH_TIMEOUT(m->text("recordCount"), QStringLiteral("2"), patience);
+        storeTwo();
+        m_isAsked.acquire(2);
+        m->button("downloadNew")->click();
+        m_isAsked.acquire();
+        m->bench.isPlugged = false;
+        m_mayGoOn.release();
+        QTRY_VERIFY_WITH_TIMEOUT(m->message().contains(QStringLiteral("the download broke off")), patience);
+        QVERIFY(!m->button("downloadNew")->isEnabled());
+        m->bench.isPlugged = true;
+        QTRY_COMPARE_WITH_TIMEOUT(m->bench.state(), LineState::Open, patience);
+        m->button("portButton")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(m->button("downloadNew")->isEnabled(), patience);
         m->bench.forgetSent();
-        for (int i = 0; i < 50 && m->text("recordCount") != QStringLiteral("1720"); ++i) {
-            QTRY_VERIFY_WITH_TIMEOUT(m->button("downloadNew")->isEnabled(), patience);
-            m->button("downloadNew")->click();
-            QTRY_VERIFY_WITH_TIMEOUT(m->message().contains(QStringLiteral("new record(s)")), patience);
-        }
-        QCOMPARE(m->text("recordCount"), QStringLiteral("1720"));
-        QCOMPARE(m->text("recordsMissing"), QStringLiteral("0"));
-        QVERIFY(m->wasSent("GetRecord/0,NEW,1") && m->wasSent("GetRecord/0,ALL,1"));
-        QCOMPARE(names().size(), 1720);
-        QCOMPARE(distinctNames(), 1720);
+        m_mayGoOn.release(10);
+        m->button("downloadNew")->click();
+        QTRY_COMPARE_WITH_TIMEOUT(m->text("recordCount"), QStringLiteral("4"), patience);
+        QVERIFY(m->wasSent("GetRecord/0,ALL,1") && !m->wasSent("NEW"));
+        QCOMPARE(names().size(), 4);
+        QCOMPARE(distinctNames(), 4);
     }
 
     void aStoppedDownloadAsksForAllTheNextTime()
@@ -98,6 +103,23 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(m->text("recordCount"), QStringLiteral("2"), patience);
         QVERIFY(m->wasSent("GetRecord/0,ALL,1"));
         QVERIFY(!m->wasSent("NEW"));
+    }
+
+    /// A download holds its line and no other.
+    void otherLinesArePolledMeanwhile()
+    {
+        const QList<SensorConfig> neighbours{usm(1, 6, 7)};
+        ServiceBench other(serviceLine(neighbours), neighbours);
+        openHeld();
+        m->button("downloadAll")->click();
+        m_isAsked.acquire();
+        for (int turn = 0; turn < 3; ++turn) {
+            other.forgetAnswers();
+            QTRY_VERIFY_WITH_TIMEOUT(other.isPolled(), patience);
+        }
+        QCOMPARE(m->text("recordCount"), QStringLiteral("0"));
+        m_mayGoOn.release(2);
+        QTRY_COMPARE_WITH_TIMEOUT(m->text("recordCount"), QStringLiteral("2"), patience);
     }
 
     /// Polling goes on, however much the device would still send.

@@ -7,10 +7,8 @@
 #include "ui/service/usmrecorderpanel.h"
 #include "ui/service/usmrecordspanel.h"
 #include "ui/service/usmsettingspanel.h"
-#include "ui/service/usmtext.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QTimer>
 
 namespace gorizont {
@@ -108,13 +106,24 @@ QString UsmDialog::unfinished(bool) const
     return {};
 }
 
-/// What runs in the thread of the line ends soon.
+/// What runs in the thread of the line ends soon; what it has brought is kept.
 void UsmDialog::breakOff()
 {
     if (m_stream) {
         m_stream->stop();
+        takeRecords();
     }
     m_isWakingStopped = true;
+}
+
+/// Of a session that is over nobody answers any more.
+void UsmDialog::dropTask()
+{
+    m_task = Task::None;
+    m_drain->stop();
+    m_fetch.reset();
+    m_stream.reset();
+    m_form->recorder()->showWaking({});
 }
 
 bool UsmDialog::begin(Task task)
@@ -145,7 +154,7 @@ void UsmDialog::read(const QString &before)
     if (isToRead) {
         beginWork(); // first, so that the focus is remembered
     }
-    m_task = Task::None;
+    dropTask();
     m_identity.reset();
     m_form->device()->clear();
     m_form->settings()->offer(port().line, scan()->free());
@@ -180,66 +189,6 @@ void UsmDialog::showRead(int to, const Result<Identity> &identity, const QString
     } else {
         say(before);
     }
-}
-
-void UsmDialog::find()
-{
-    const QList<quint32> serials = m_form->serials();
-    if (!serials.isEmpty() && begin(Task::Find)) {
-        findNext(serials, {}, 0);
-    }
-}
-
-/// \a first: the first address found; 0: none so far.
-void UsmDialog::findNext(const QList<quint32> &left, const QStringList &report, int first)
-{
-    say(report.join(u'\n'), left.isEmpty() ? QString() : tr("Looking for %1…").arg(usmtext::serial(left.constFirst())));
-    if (left.isEmpty()) {
-        end();
-        if (first != 0 && isInService()) {
-            m_before = report.join(u'\n');
-            showFoundAt(first);
-        }
-        return;
-    }
-    const quint32 serial = left.constFirst();
-    run([service = m_service, serial](Line &line) { return service.find(line, serial); },
-        [this, left, report, first, serial](const Result<int> &found) {
-            const bool isLost = !isInService() || (!found && isLineFault(found.fault()));
-            const int address = found ? *found : everybody;
-            if (address != everybody) {
-                scan()->add(address);
-            }
-            findNext(
-                isLost ? QList<quint32>() : left.sliced(1), report + QStringList{usmtext::place(serial, found)},
-                first != 0 ? first : address);
-        });
-}
-
-void UsmDialog::measure()
-{
-    if (begin(Task::Measure)) {
-        const qint64 timestamp = m_form->device()->isStored() ? QDateTime::currentSecsSinceEpoch() : 0;
-        m_form->device()->showValue(channelX, {});
-        m_form->device()->showValue(channelY, {});
-        say(tr("The device measures…"));
-        measureChannel(channelX, timestamp);
-    }
-}
-
-void UsmDialog::measureChannel(int channel, qint64 timestamp)
-{
-    run([service = m_service, to = address(), channel,
-         timestamp](Line &line) { return service.measure(line, to, channel, timestamp); },
-        [this, channel, timestamp](const Result<Value> &value) {
-            m_form->device()->showValue(channel, value);
-            if (channel == channelX && isInService()) {
-                measureChannel(channelY, timestamp);
-                return;
-            }
-            end();
-            say(timestamp != 0 && value ? tr("The device keeps what it measured.") : QString());
-        });
 }
 
 } // namespace gorizont

@@ -46,6 +46,7 @@ private:
     void connectForm();
     bool begin(Task task); ///< false: the line is not free
     void end();
+    void dropTask();
     bool isGoingOn(Task task) const { return m_task == task && isInService(); }
 
     void read(const QString &before);

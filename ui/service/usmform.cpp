@@ -49,7 +49,7 @@ QGroupBox *UsmForm::makeExchange()
     m_find = new QPushButton(tr("&Find"), group);
     m_find->setObjectName(QStringLiteral("findSerial"));
     m_find->setAutoDefault(false);
-    auto *address = new QLabel(tr("Address on the &line:"), group);
+    auto *address = new QLabel(tr("Add&ress on the line:"), group);
     address->setBuddy(m_addresses);
     auto *serial = new QLabel(tr("Find by serial n&umber:"), group);
     serial->setBuddy(m_serials);

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void takesTheIndexOffAKey_data();
     void takesTheIndexOffAKey();
     void setsCapabilitiesByType();
+    void aSensorDecidesBeforeTheSite();
 };
 
 void TestServerConfig::readsTheExampleOfTheManual_data()
@@ -307,6 +308,26 @@ void TestServerConfig::setsCapabilitiesByType()
             u"AN-D3, SND3 , tilt temperature heating"_s, u"USM-ISN, SND3 , tilt temperature"_s, u"L-VIMS, SND3 , "_s,
             u"MK-14, SND3 , "_s, u", SND3 , "_s}));
     QCOMPARE(complaintTexts(reading), QStringList());
+}
+
+/// UsmRevive of [Common] is for those УСМ-ИСН that have no key of their own.
+void TestServerConfig::aSensorDecidesBeforeTheSite()
+{
+    const QByteArray port = "NumOfPorts=1\n[Port1]\nOn=1\nNum=3\nNumOfSensors=3\nName1=USM-ISN\nadr1=1\nN1=1\n"
+                            "Name2=USM-ISN\nadr2=2\nN2=2\nUsmRevive2=1\nName3=IN-D3\nadr3=3\nN3=3\n";
+    const auto options = [](const ConfigReading &reading) {
+        QStringList texts;
+        for (const SensorConfig &sensor : reading.config.lines.constFirst().sensors) {
+            texts += sensor.options.value(u"usmrevive"_s, u"-"_s);
+        }
+        return texts.join(u' ');
+    };
+    QCOMPARE(options(read("[Common]\n" + port)), u"- 1 -"_s);
+    QCOMPARE(options(read("[Common]\nUsmRevive=1\n" + port)), u"- 1 -"_s);
+    const ConfigReading off = read("[Common]\nUsmRevive=0\n" + port);
+    QCOMPARE(options(off), u"0 1 -"_s);
+    QCOMPARE(complaintTexts(off), QStringList());
+    QCOMPARE(complaintTexts(read("[Common]\nUsmRevive=x\n" + port)).size(), 1);
 }
 
 QTEST_GUILESS_MAIN(TestServerConfig)
