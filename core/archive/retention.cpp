@@ -66,7 +66,7 @@ bool Retention::sweepAge(ArchiveDatabase &database, UtcTime now)
 
 bool Retention::sweepSize(ArchiveDatabase &database)
 {
-    if (m_retention.mostBytes == 0 || usedBytes(database) <= m_retention.mostBytes) {
+    if (m_retention.mostBytes == 0 || !database.isSqlite() || usedBytes(database) <= m_retention.mostBytes) {
         return true;
     }
     for (const QString &table : {u"chunk"_s, u"event"_s, u"rollup"_s}) {

@@ -28,7 +28,7 @@ private:
     bool m_hasMore = false;
 };
 
-/// Bytes of the file that hold something; 0: not known.
+/// Bytes of the file that hold something; PostgreSQL: of the tables, with the room of removed rows. 0: not known.
 qint64 usedBytes(ArchiveDatabase &database);
 
 } // namespace gorizont
