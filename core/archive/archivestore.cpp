@@ -37,7 +37,7 @@ std::optional<SpoolMark> ArchiveStore::applied()
     while (query->next()) {
         (query->value(0).toString() == u"spool" ? mark.spool : mark.sequence) = query->value(1).toLongLong();
     }
-    return mark;
+    return m_database.isWhole(query) ? std::optional(mark) : std::nullopt;
 }
 
 bool ArchiveStore::setApplied(const SpoolMark &mark)
@@ -58,13 +58,14 @@ std::optional<QList<ArchiveStore::TailRow>> ArchiveStore::tail()
     while (query->next()) {
         rows.append({query->value(0).toLongLong(), query->value(1).toByteArray()});
     }
-    return rows;
+    return m_database.isWhole(query) ? std::optional(rows) : std::nullopt;
 }
 
 std::optional<qint64> ArchiveStore::appendTail(const QByteArray &data)
 {
     QSqlQuery *query = m_database.run(u"INSERT INTO tail (data) VALUES (?) RETURNING id"_s, {data});
     if (!query || !query->next()) {
+        m_database.isWhole(query);
         return {};
     }
     const qint64 id = query->value(0).toLongLong();
@@ -91,7 +92,7 @@ std::optional<QHash<int, KnownSensor>> ArchiveStore::sensors()
             {readTime(query->value(1)), readTime(query->value(2)), query->value(3).toLongLong(),
              query->value(4).toLongLong()});
     }
-    return sensors;
+    return m_database.isWhole(query) ? std::optional(sensors) : std::nullopt;
 }
 
 bool ArchiveStore::putSensor(int number, const KnownSensor &sensor)
@@ -152,7 +153,7 @@ std::optional<QHash<int, UtcTime>> ArchiveStore::endOpenGaps(UtcTime at)
     while (query->next()) {
         ends.insert(query->value(0).toInt(), readTime(query->value(1)));
     }
-    return ends;
+    return m_database.isWhole(query) ? std::optional(ends) : std::nullopt;
 }
 
 bool ArchiveStore::appendEvent(const JournalEntry &entry)

@@ -53,7 +53,7 @@ public:
         qint64 id = 0;
         QByteArray data;
     };
-    std::optional<QList<TailRow>> tail();
+    std::optional<QList<TailRow>> tail(); ///< empty: not all of it could be read
     std::optional<qint64> appendTail(const QByteArray &data); ///< its id
     bool removeTailBelow(qint64 id);
 
