@@ -8,8 +8,6 @@ namespace gorizont {
 
 namespace {
 
-constexpr std::chrono::seconds clockTolerance{1};
-
 SteadyTime steadyNow()
 {
     return std::chrono::steady_clock::now();
@@ -60,8 +58,9 @@ void ArchiveWriter::start()
 void ArchiveWriter::flush()
 {
     const UtcTime now = m_clock();
+    const SteadyTime steady = steadyNow(); // of the same moment: what follows may wait for a server or a disk
     if (m_recorder.isBridging()) { // first of all: to ask a server that is gone takes a while
-        takeInbox(now);
+        takeInbox(now, steady);
         m_recorder.commit(now);
     }
     if (m_retryAt && steadyNow() < *m_retryAt) {
@@ -71,7 +70,7 @@ void ArchiveWriter::flush()
         failed();
         return;
     }
-    takeInbox(now);
+    takeInbox(now, steady);
     if (m_recorder.commit(now)) {
         succeeded();
         salvage();
@@ -81,10 +80,12 @@ void ArchiveWriter::flush()
     }
 }
 
-void ArchiveWriter::takeInbox(UtcTime now)
+void ArchiveWriter::takeInbox(UtcTime now, SteadyTime steady)
 {
     if (m_recorder.canTake()) {
-        noteClockStep(now);
+        if (const auto step = m_clockWatch.step(now, steady)) {
+            m_recorder.clockStepped(now - *step, now);
+        }
         m_recorder.take(m_inbox.take(), now);
     }
 }
@@ -122,20 +123,6 @@ void ArchiveWriter::stop()
         failed();
     }
     m_recorder.close();
-}
-
-void ArchiveWriter::noteClockStep(UtcTime now)
-{
-    const SteadyTime steady = steadyNow();
-    if (m_lastWall) {
-        const auto expected =
-            *m_lastWall + std::chrono::duration_cast<std::chrono::microseconds>(steady - m_lastSteady);
-        if (now - expected > clockTolerance || expected - now > clockTolerance) {
-            m_recorder.clockStepped(expected, now);
-        }
-    }
-    m_lastWall = now;
-    m_lastSteady = steady;
 }
 
 /// One event when the first thing goes wrong, none while it stays so.

@@ -2,6 +2,7 @@
 
 #include "core/archive/archiverecorder.h"
 #include "core/archive/retention.h"
+#include "core/values/clockwatch.h"
 
 #include <QObject>
 #include <QTimer>
@@ -44,8 +45,7 @@ Q_SIGNALS:
     void replaced();
 
 private:
-    void takeInbox(UtcTime now);
-    void noteClockStep(UtcTime now);
+    void takeInbox(UtcTime now, SteadyTime steady);
     void salvage();
     void sweep(UtcTime now);
     void failed();
@@ -60,8 +60,7 @@ private:
     SteadyTime m_sweepAt; ///< the next time
     QTimer m_timer{this};
     std::optional<SteadyTime> m_retryAt; ///< while something fails
-    std::optional<UtcTime> m_lastWall;
-    SteadyTime m_lastSteady;
+    ClockWatch m_clockWatch;
 };
 
 } // namespace gorizont
