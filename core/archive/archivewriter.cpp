@@ -77,6 +77,7 @@ void ArchiveWriter::flush()
         sweep(now);
     } else {
         failed();
+        makeRoom(now);
     }
 }
 
@@ -102,13 +103,32 @@ void ArchiveWriter::salvage()
     }
 }
 
-/// What could not be removed now is removed the next time.
+/// What could not be removed now is removed the next time. One event when that begins, and when it ends.
 void ArchiveWriter::sweep(UtcTime now)
 {
-    if (steadyNow() >= m_sweepAt) {
-        const auto outcome = m_retention.sweep(m_recorder.store(), now);
-        const bool hasMore = outcome == Retention::Outcome::MoreToDo;
-        m_sweepAt = steadyNow() + (hasMore ? m_config.commitInterval : m_config.retentionInterval);
+    if (steadyNow() < m_sweepAt) {
+        return;
+    }
+    const auto outcome = m_retention.sweep(m_recorder.store(), now);
+    const bool hasMore = outcome == Retention::Outcome::MoreToDo;
+    const bool hasFailed = outcome == Retention::Outcome::Failed;
+    m_sweepAt = steadyNow() + (hasMore ? m_config.commitInterval : m_config.retentionInterval);
+    if (hasFailed && !m_hasSweepFailed) {
+        note(
+            JournalKind::Error,
+            tr("What is too old cannot be removed from the archive: %1 It is tried again every few minutes.")
+                .arg(m_recorder.store().database().error()));
+    } else if (!hasFailed && m_hasSweepFailed) {
+        note(JournalKind::Info, tr("What is too old is removed from the archive again."));
+    }
+    m_hasSweepFailed = hasFailed;
+}
+
+/// On a full disk what is too old makes room for what is new; there may still be some in the log for that.
+void ArchiveWriter::makeRoom(UtcTime now)
+{
+    if (m_recorder.isOpen() && m_recorder.fault() == ArchiveFault::Full) {
+        m_retention.sweep(m_recorder.store(), now, Retention::Room::Kept);
     }
 }
 

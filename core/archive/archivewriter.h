@@ -48,6 +48,7 @@ private:
     void takeInbox(UtcTime now, SteadyTime steady);
     void salvage();
     void sweep(UtcTime now);
+    void makeRoom(UtcTime now);
     void failed();
     void succeeded();
     void note(JournalKind kind, const QString &text);
@@ -58,6 +59,7 @@ private:
     ArchiveRecorder m_recorder;
     Retention m_retention;
     SteadyTime m_sweepAt; ///< the next time
+    bool m_hasSweepFailed = false;
     QTimer m_timer{this};
     std::optional<SteadyTime> m_retryAt; ///< while something fails
     ClockWatch m_clockWatch;
