@@ -162,6 +162,9 @@ void ArchiveRecorder::take(const ArchiveInbox::Contents &contents, UtcTime now)
     for (auto dropped = contents.dropped.cbegin(); dropped != contents.dropped.cend(); ++dropped) {
         m_ledger.addLost(dropped.key(), *dropped);
     }
+    for (auto dropped = contents.droppedBlocks.cbegin(); dropped != contents.droppedBlocks.cend(); ++dropped) {
+        m_ledger.addLost(dropped.key(), *dropped);
+    }
     for (const Reading &reading : contents.readings) {
         const auto rules = m_rules.constFind(reading.number);
         if (rules == m_rules.constEnd()) {

@@ -74,6 +74,7 @@ private:
         SpoolMark mark; ///< of the last one
         qint64 end = 0; ///< in the spool
         bool hasDamage = false;
+        bool isUnreadable = false; ///< behind end
     };
 
     bool lock();

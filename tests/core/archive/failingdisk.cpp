@@ -74,6 +74,11 @@ ssize_t pwrite(int descriptor, const void *bytes, size_t count, off_t offset)
     return pwrite64(descriptor, bytes, count, offset);
 }
 
+ssize_t read(int descriptor, void *bytes, size_t count)
+{
+    return fails(DiskCall::Read, descriptor) ? -1 : ::syscall(SYS_read, descriptor, bytes, count);
+}
+
 int fdatasync(int descriptor)
 {
     return fails(DiskCall::Sync, descriptor) ? -1 : 0;
