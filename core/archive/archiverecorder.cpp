@@ -400,6 +400,7 @@ bool ArchiveRecorder::writeChunks(bool isEverything)
     }
     if (isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1)) && database.commit()) {
         m_isAnew = false;
+        noteRollups();
         return true;
     }
     fail();
@@ -408,6 +409,17 @@ bool ArchiveRecorder::writeChunks(bool isEverything)
     m_open = before;
     m_known = knownBefore;
     return false;
+}
+
+void ArchiveRecorder::noteRollups()
+{
+    if (const int count = m_rollups.takeDamaged(); count > 0) {
+        m_note(
+            JournalKind::Error,
+            tr("Rollups of the archive were damaged, %1 of them. They were made again from the readings that are still "
+               "there.")
+                .arg(count));
+    }
 }
 
 bool ArchiveRecorder::writeReadings(int number, const OpenChunks::Sensor &sensor)

@@ -98,6 +98,7 @@ private:
     bool isApplied(const SpoolMark &mark) const;
     void noteSpool(bool isGood);
     bool writeChunks(bool isEverything);
+    void noteRollups();
     bool writeReadings(int number, const OpenChunks::Sensor &sensor);
     bool writeSamples(int number, const OpenChunks::Sensor &sensor);
     bool fail();

@@ -1,5 +1,8 @@
 #include "core/archive/archivestore.h"
 
+#include "core/archive/openchunks.h"
+#include "core/archive/rollup.h"
+
 namespace gorizont {
 
 using Qt::Literals::StringLiterals::operator""_s;
@@ -125,6 +128,32 @@ bool ArchiveStore::putRollup(ChunkKind kind, const SeriesKey &key, UtcTime stret
         u"INSERT INTO rollup (kind, number, quantity, start, data) VALUES (?, ?, ?, ?, ?) "
         "ON CONFLICT (kind, number, quantity, start) DO UPDATE SET data = excluded.data"_s,
         {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(stretch), data});
+}
+
+std::optional<QList<QByteArray>> ArchiveStore::dataOf(const QString &rows, const QVariantList &values)
+{
+    QSqlQuery *query = m_database.run(u"SELECT data FROM %1 ORDER BY start"_s.arg(rows), values);
+    QList<QByteArray> data;
+    while (query && query->next()) {
+        data.append(query->value(0).toByteArray());
+    }
+    return m_database.isWhole(query) ? std::optional(data) : std::nullopt;
+}
+
+std::optional<QList<QByteArray>> ArchiveStore::rollups(ChunkKind kind, const SeriesKey &key, const TimeSpan &span)
+{
+    return dataOf(
+        u"rollup WHERE kind = ? AND number = ? AND quantity = ? AND start > ? AND start < ?"_s,
+        {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(span.from - stretchOf(kind)),
+         storedTime(span.to)});
+}
+
+std::optional<QList<QByteArray>> ArchiveStore::chunks(ChunkKind kind, int number, const TimeSpan &span)
+{
+    return dataOf(
+        u"chunk WHERE kind = ? AND number = ? AND start >= ? AND start < ? AND finish > ?"_s,
+        {static_cast<int>(kind), number, storedTime(span.from - 2 * OpenChunks::longest), storedTime(span.to),
+         storedTime(span.from)});
 }
 
 bool ArchiveStore::putGap(const Gap &gap)

@@ -64,6 +64,10 @@ public:
     std::optional<QByteArray> rollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch); ///< empty: there is none
     bool putRollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch, const QByteArray &data);
 
+    /// The data of rows that touch \a span, in the order of their time. Empty: not all could be read.
+    std::optional<QList<QByteArray>> rollups(ChunkKind kind, const SeriesKey &key, const TimeSpan &span);
+    std::optional<QList<QByteArray>> chunks(ChunkKind kind, int number, const TimeSpan &span);
+
     /// One gap of a sensor begins at one time: the same again changes it.
     bool putGap(const Gap &gap);
     /// Those that still went on did so until \a at. Returns the last end known of each sensor.
@@ -73,6 +77,8 @@ public:
     bool putRecord(const DeviceRecord &record, bool *isNew);
 
 private:
+    std::optional<QList<QByteArray>> dataOf(const QString &rows, const QVariantList &values);
+
     ArchiveDatabase m_database;
 };
 
