@@ -31,6 +31,8 @@ public:
     ~Archive() override;
 
     ArchiveReader &reader() { return m_reader; }
+    /// Readings that wait for the store.
+    std::size_t backlog() const { return m_writer ? m_writer->backlog() : 0; }
 
     void start();
     void stop() { m_thread.quit(); }
