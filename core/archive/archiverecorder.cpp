@@ -1,5 +1,7 @@
 #include "core/archive/archiverecorder.h"
 
+#include "core/archive/damagedfile.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -75,7 +77,7 @@ bool ArchiveRecorder::load(UtcTime now)
         return false;
     }
     const auto applied = m_store.applied();
-    if (!applied) {
+    if (!applied || !resumeSalvage(!alive)) {
         return false;
     }
     m_applied = *applied;
@@ -239,7 +241,37 @@ void ArchiveRecorder::startAnew()
 
 void ArchiveRecorder::startSalvage(const QString &file)
 {
-    m_salvage = std::make_unique<Salvage>(file, m_config, !m_hasStarted);
+    m_salvage = std::make_unique<Salvage>(file, m_config, SalvageMark{copyName(file), 0, 0, 0, !m_hasStarted});
+}
+
+/// What an earlier run did not come to the end of. A store that is new takes over the last copy: that run came no
+/// further than to set it aside.
+bool ArchiveRecorder::resumeSalvage(bool isNew)
+{
+    if (m_config.driver != ArchiveDriver::Sqlite) {
+        return true;
+    }
+    if (!m_salvage) {
+        const auto mark = m_store.salvageMark();
+        if (!mark) {
+            return false;
+        }
+        for (const QString &copy : copiesOf(m_config.file)) {
+            const bool isWanted = isNew ? !m_salvage : copyName(copy) == mark->copy;
+            if (isWanted) {
+                const SalvageMark from = isNew ? SalvageMark{copyName(copy), 0, 0, 0, true} : *mark;
+                m_salvage = std::make_unique<Salvage>(copy, m_config, from);
+            }
+        }
+    }
+    return !m_salvage || putSalvageMark();
+}
+
+bool ArchiveRecorder::putSalvageMark()
+{
+    SalvageMark mark = m_salvage->mark();
+    mark.takesTail = mark.takesTail || m_isAnew; // until what was open is written, only the tail has it
+    return m_store.setSalvageMark(mark);
 }
 
 /// False: the store failed; the same rows are tried again.
@@ -251,7 +283,9 @@ bool ArchiveRecorder::salvage()
     ArchiveDatabase &database = m_store.database();
     const QHash<int, KnownSensor> knownBefore = m_known;
     auto outcome = database.begin() ? m_salvage->step(m_store, m_rollups) : Salvage::Outcome::Failed;
-    const bool isGood = outcome != Salvage::Outcome::Failed && putSalvagedSensors() && database.commit();
+    const bool isDone = outcome == Salvage::Outcome::Done;
+    const bool isGood = outcome != Salvage::Outcome::Failed && putSalvagedSensors()
+        && (isDone ? m_store.setSalvageMark({}) : putSalvageMark()) && database.commit();
     if (!isGood) {
         fail();
         database.rollback();
@@ -260,10 +294,10 @@ bool ArchiveRecorder::salvage()
         m_known = knownBefore;
         return false;
     }
-    if (outcome == Salvage::Outcome::Done) {
+    if (isDone) {
         m_note(
             JournalKind::Info,
-            tr("What could be read of the damaged archive is in the new one: %1 rows.").arg(m_salvage->rescued()));
+            tr("What could be read of the damaged archive is in the new one: %1 rows.").arg(m_salvage->mark().rescued));
         m_salvage.reset();
     }
     return true;
@@ -398,7 +432,11 @@ bool ArchiveRecorder::writeChunks(bool isEverything)
     for (const int number : std::as_const(samples)) {
         isGood = isGood && writeSamples(number, before.sensors().at(number));
     }
-    if (isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1)) && database.commit()) {
+    isGood = isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1));
+    if (isGood && m_isAnew && m_salvage) {
+        isGood = m_store.setSalvageMark(m_salvage->mark());
+    }
+    if (isGood && database.commit()) {
         m_isAnew = false;
         noteRollups();
         return true;

@@ -56,6 +56,8 @@ public:
     void startSalvage(const QString &file);
     bool salvage();
     bool hasSalvage() const { return m_salvage != nullptr; }
+    /// startAnew() was called, and what was open then is in no store yet.
+    bool isAnew() const { return m_isAnew; }
 
     ArchiveStore &store() { return m_store; }
     ArchiveFault fault() const { return m_fault; }
@@ -86,6 +88,8 @@ private:
     void bridge(UtcTime now);
     void forgetWritten(const std::optional<UtcTime> &alive);
     void replay(const QList<ArchiveStore::TailRow> &rows);
+    bool resumeSalvage(bool isNew);
+    bool putSalvageMark();
     bool putSalvagedSensors();
     bool writeWaiting(UtcTime now);
     bool writeBatches(const QList<ArchiveBatch> &batches, const SpoolMark &mark);

@@ -51,6 +51,32 @@ bool ArchiveStore::setApplied(const SpoolMark &mark)
         {mark.spool, mark.sequence});
 }
 
+std::optional<SalvageMark> ArchiveStore::salvageMark()
+{
+    QSqlQuery *query = m_database.run(u"SELECT name, value FROM meta WHERE name LIKE 'salvage%'"_s);
+    QHash<QString, qint64> values;
+    while (query && query->next()) {
+        values.insert(query->value(0).toString(), query->value(1).toLongLong());
+    }
+    if (!m_database.isWhole(query)) {
+        return {};
+    }
+    return SalvageMark{
+        values.value(u"salvage"_s), static_cast<int>(values.value(u"salvage_table"_s)), values.value(u"salvage_last"_s),
+        values.value(u"salvage_rows"_s), values.value(u"salvage_tail"_s) != 0};
+}
+
+bool ArchiveStore::setSalvageMark(const SalvageMark &mark)
+{
+    if (mark.copy == 0) {
+        return m_database.run(u"DELETE FROM meta WHERE name LIKE 'salvage%'"_s);
+    }
+    return m_database.run(
+        u"INSERT INTO meta (name, value) VALUES ('salvage', ?), ('salvage_table', ?), ('salvage_last', ?), "
+        "('salvage_rows', ?), ('salvage_tail', ?) ON CONFLICT (name) DO UPDATE SET value = excluded.value"_s,
+        {mark.copy, mark.table, mark.last, mark.rescued, mark.takesTail ? 1 : 0});
+}
+
 std::optional<QList<ArchiveStore::TailRow>> ArchiveStore::tail()
 {
     QSqlQuery *query = m_database.run(u"SELECT id, data FROM tail ORDER BY id"_s);

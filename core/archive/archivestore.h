@@ -31,6 +31,17 @@ struct KnownSensor
     qint64 samplesDone = 0; ///< likewise its samples
 };
 
+/// How far what was set aside is taken over.
+struct SalvageMark
+{
+    qint64 copy = 0; ///< which file, see copyName(); 0: none
+    int table = 0; ///< of Salvage
+    qint64 last = 0; ///< the row there
+    qint64 rescued = 0; ///< rows
+    bool takesTail = true; ///< what is in no chunk is wanted too
+    bool operator==(const SalvageMark &) const = default;
+};
+
 /// The rows of the archive: one method a statement. False and empty answers: see fault(). Archive thread.
 class ArchiveStore
 {
@@ -47,6 +58,9 @@ public:
 
     std::optional<SpoolMark> applied(); ///< the last batch that came with a mark; its spool is 0: none did
     bool setApplied(const SpoolMark &mark);
+
+    std::optional<SalvageMark> salvageMark();
+    bool setSalvageMark(const SalvageMark &mark);
 
     struct TailRow
     {

@@ -128,13 +128,25 @@ void ArchiveWriter::sweep(UtcTime now)
 void ArchiveWriter::makeRoom(UtcTime now)
 {
     if (m_recorder.isOpen() && m_recorder.fault() == ArchiveFault::Full) {
-        m_retention.sweep(m_recorder.store(), now, Retention::Room::Kept);
+        const auto outcome = m_retention.sweep(m_recorder.store(), now, Retention::Room::Kept);
+        if (outcome == Retention::Outcome::Failed && m_config.driver == ArchiveDriver::Sqlite) {
+            m_recorder.store().database().execute(QStringLiteral("PRAGMA wal_checkpoint")); // the log begins anew then
+        }
     }
 }
 
 void ArchiveWriter::stop()
 {
     m_timer.stop();
+    finish();
+    if (m_recorder.isAnew()) { // it was set aside just now: what is at hand goes into the next one
+        finish();
+    }
+    m_recorder.close();
+}
+
+void ArchiveWriter::finish()
+{
     const UtcTime now = m_clock();
     if (!m_recorder.isOpen() && !m_recorder.isBridging() && !m_recorder.open(now)) {
         failed();
@@ -142,7 +154,6 @@ void ArchiveWriter::stop()
     if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
         failed();
     }
-    m_recorder.close();
 }
 
 /// One event when the first thing goes wrong, none while it stays so.

@@ -49,6 +49,7 @@ private:
     void salvage();
     void sweep(UtcTime now);
     void makeRoom(UtcTime now);
+    void finish();
     void failed();
     void succeeded();
     void note(JournalKind kind, const QString &text);
