@@ -173,6 +173,9 @@ bool ArchiveDatabase::migrate()
         return false;
     }
     const int version = hasMeta.toInt() == 0 ? 0 : single(u"SELECT value FROM meta WHERE name = 'schema'"_s).toInt();
+    if (m_fault != ArchiveFault::None) {
+        return false;
+    }
     const QList<QStringList> &steps = archiveMigrations(m_config.driver);
     if (version > steps.size()) {
         return fail(

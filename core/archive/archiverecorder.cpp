@@ -72,8 +72,11 @@ bool ArchiveRecorder::load(UtcTime now)
 {
     const auto sensors = m_store.sensors();
     const auto rows = sensors ? m_store.tail() : std::nullopt;
+    if (!rows) {
+        return false;
+    }
     const auto alive = m_store.aliveAt();
-    if (!rows || (!alive && m_store.database().fault() != ArchiveFault::None)) {
+    if (!alive && m_store.database().fault() != ArchiveFault::None) {
         return false;
     }
     const auto applied = m_store.applied();

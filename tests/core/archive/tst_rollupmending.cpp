@@ -66,7 +66,7 @@ void TestRollupMending::damagedRollupsAreMadeAgain()
         bench.close();
         if (!isDamaged) {
             expected = answers;
-            QCOMPARE(expected.at(0).size(), 251);
+            QCOMPARE(expected.at(0).size(), 250);
             QCOMPARE(bench.sentences, QStringList());
             continue;
         }
