@@ -72,7 +72,7 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
         Archive::Site{m_settings.config, m_settings.dataFolder, settings.ownsDataFolder, m_registry, m_journal});
     m_feeds = std::make_unique<Feeds>(Feeds::Site{
         m_settings.config, m_settings.dataFolder, m_settings.ownsDataFolder, m_registry, m_journal, *m_history,
-        m_serversThread});
+        *m_archive, m_serversThread});
     connect(m_feeds.get(), &Feeds::mqttStatusChanged, this, [this](const MqttStatus &status) {
         m_mqttText = mqttText(status);
         tellServerStatus();

@@ -31,6 +31,8 @@ public:
     ~Archive() override;
 
     ArchiveReader &reader() { return m_reader; }
+    /// Readings that wait for the store.
+    std::size_t backlog() const { return m_writer ? m_writer->backlog() : 0; }
 
     /// What a service window downloaded; empty: nobody writes the archive here.
     std::function<void(const DeviceRecords &)> recordSink();

@@ -1,5 +1,6 @@
 #include "app/server/feeds.h"
 
+#include "app/server/archive.h"
 #include "core/history/historywriter.h"
 
 namespace gorizont {
@@ -22,6 +23,13 @@ MetricFamilies historyMetrics(const HistoryInbox::Backlog &backlog)
             "gorizont_history_waiting_events", Type::Gauge, "Events of the journal that wait for the disk.",
             static_cast<double>(backlog.entries)),
     };
+}
+
+MetricFamilies archiveMetrics(std::size_t waiting)
+{
+    return {single(
+        "gorizont_archive_waiting_readings", MetricFamily::Type::Gauge, "Readings that wait for the archive.",
+        static_cast<double>(waiting))};
 }
 
 MetricFamilies mqttMetrics(const MqttStatus &status)
@@ -73,8 +81,9 @@ void Feeds::makeMetrics(const Site &site)
     for (const LineStatus &status : site.registry.lineStatuses()) {
         board->put(status);
     }
-    connect(&m_round, &QTimer::timeout, this, [board, history = &site.history] {
+    connect(&m_round, &QTimer::timeout, this, [board, history = &site.history, archive = &site.archive] {
         board->put(QStringLiteral("history"), historyMetrics(history->backlog()));
+        board->put(QStringLiteral("archive"), archiveMetrics(archive->backlog()));
     });
     connect(m_metrics.get(), &MetricsServer::journal, &site.journal, &Journal::append);
     m_metrics->moveToThread(&site.servers);

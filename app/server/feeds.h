@@ -13,6 +13,7 @@
 
 namespace gorizont {
 
+class Archive;
 class HistoryWriter;
 
 /// What carries readings to other programs over the network without being asked for a register: the MQTT publisher in a
@@ -30,6 +31,7 @@ public:
         SensorRegistry &registry;
         Journal &journal;
         const HistoryWriter &history;
+        const Archive &archive;
         QThread &servers;
     };
 

@@ -14,7 +14,9 @@ struct ArchiveRetention
     std::chrono::hours samples{0}; ///< raw ones of accelerometers
     std::chrono::hours rollups{0}; ///< minutes, hours, days
     std::chrono::hours events{0}; ///< and gaps
-    qint64 mostBytes = 0; ///< of the whole file: the oldest readings and samples go first, rollups last; 0: any size
+    /// SQLite: of the whole file: the oldest readings and samples go first, rollups last; 0: any size. A server keeps the
+    /// room of what was removed, so that its size says nothing of what is in it.
+    qint64 mostBytes = 0;
 };
 
 /// What the archive has to know of the ini.

@@ -173,6 +173,9 @@ bool ArchiveDatabase::migrate()
         return false;
     }
     const int version = hasMeta.toInt() == 0 ? 0 : single(u"SELECT value FROM meta WHERE name = 'schema'"_s).toInt();
+    if (m_fault != ArchiveFault::None) {
+        return false;
+    }
     const QList<QStringList> &steps = archiveMigrations(m_config.driver);
     if (version > steps.size()) {
         return fail(
@@ -181,7 +184,7 @@ bool ArchiveDatabase::migrate()
                 .arg(name()));
     }
     if (version == steps.size() || m_access == Access::Read) {
-        return version > 0 || fail(ArchiveFault::Denied, tr("%1 holds no archive.").arg(name()));
+        return version > 0 || fail(ArchiveFault::Empty, tr("%1 holds no archive.").arg(name()));
     }
     bool isGood = begin();
     for (qsizetype step = version; step < steps.size(); ++step) {
@@ -240,6 +243,11 @@ QSqlQuery *ArchiveDatabase::run(const QString &sql, const QVariantList &values)
     return &query;
 }
 
+bool ArchiveDatabase::isWhole(const QSqlQuery *rows)
+{
+    return rows && (!rows->lastError().isValid() || fail(rows->lastError()));
+}
+
 bool ArchiveDatabase::execute(const QString &sql)
 {
     QSqlQuery query(m_database);
@@ -249,10 +257,16 @@ bool ArchiveDatabase::execute(const QString &sql)
 QVariant ArchiveDatabase::single(const QString &sql, const QVariantList &values)
 {
     QSqlQuery *query = run(sql, values);
-    const QVariant value = query && query->next() ? query->value(0) : QVariant();
-    if (query) {
-        query->finish();
+    if (!query) {
+        return {};
     }
+    QVariant value;
+    if (query->next()) {
+        value = query->value(0);
+    } else {
+        isWhole(query);
+    }
+    query->finish();
     return value;
 }
 

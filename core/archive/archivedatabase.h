@@ -20,6 +20,7 @@ enum class ArchiveFault : quint8 {
     Denied, ///< it cannot be opened or written
     Gone, ///< the server does not answer
     TooNew, ///< written by a newer version of the program
+    Empty, ///< there is no archive in it yet
     Other,
 };
 
@@ -50,9 +51,11 @@ public:
 
     /// The statement, executed with \a values; it stays prepared. Null: it failed.
     QSqlQuery *run(const QString &sql, const QVariantList &values = {});
+    /// After the last row of \a rows, which run() returned: no error ended them. False: see fault().
+    bool isWhole(const QSqlQuery *rows);
     /// A statement of which nothing is kept.
     bool execute(const QString &sql);
-    /// The first column of the first row; invalid: there is none.
+    /// The first column of the first row; invalid: there is none, or it failed, see fault().
     QVariant single(const QString &sql, const QVariantList &values = {});
 
     ArchiveFault fault() const { return m_fault; } ///< of the last statement

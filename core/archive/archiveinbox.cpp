@@ -2,9 +2,20 @@
 
 #include <QMutexLocker>
 
+#include <algorithm>
 #include <utility>
 
 namespace gorizont {
+
+namespace {
+
+void extend(TimeSpan &span, UtcTime from, UtcTime to)
+{
+    span.from = span == TimeSpan() ? from : std::min(span.from, from);
+    span.to = std::max(span.to, to);
+}
+
+} // namespace
 
 void ArchiveInbox::put(const Readings &batch)
 {
@@ -22,9 +33,7 @@ void ArchiveInbox::dropOldest()
     const auto end = m_contents.readings.begin() + count;
     for (auto reading = m_contents.readings.begin(); reading != end; ++reading) {
         if (reading->isAnswer) {
-            TimeSpan &span = m_contents.dropped[reading->number];
-            span.from = span == TimeSpan() ? reading->time : std::min(span.from, reading->time);
-            span.to = std::max(span.to, reading->time);
+            extend(m_contents.dropped[reading->number], reading->time, reading->time);
         }
     }
     m_contents.readings.erase(m_contents.readings.begin(), end);
@@ -47,9 +56,31 @@ void ArchiveInbox::put(const SampleBlock &block)
 {
     const QMutexLocker lock(&m_mutex);
     m_contents.blocks.append(block);
+    if (m_torn.remove(block.number)) {
+        m_contents.blocks.last().followsPrevious = false;
+    }
     if (m_contents.blocks.size() > mostBlocks) {
-        m_contents.blocks.removeFirst();
-        ++m_contents.blocksDropped;
+        dropOldestBlock();
+    }
+}
+
+/// What comes behind it follows nothing.
+void ArchiveInbox::dropOldestBlock()
+{
+    const SampleBlock block = m_contents.blocks.takeFirst();
+    ++m_contents.blocksDropped;
+    if (block.rate > 0) {
+        const auto length = std::chrono::duration<double>(static_cast<double>(block.x.size()) / block.rate);
+        extend(
+            m_contents.droppedBlocks[block.number], block.start,
+            block.start + std::chrono::round<std::chrono::microseconds>(length));
+    }
+    const auto isNext = [&block](const SampleBlock &other) { return other.number == block.number; };
+    const auto next = std::find_if(m_contents.blocks.begin(), m_contents.blocks.end(), isNext);
+    if (next != m_contents.blocks.end()) {
+        next->followsPrevious = false;
+    } else {
+        m_torn.insert(block.number);
     }
 }
 

@@ -9,6 +9,7 @@
 
 #include <QHash>
 #include <QMutex>
+#include <QSet>
 
 #include <vector>
 
@@ -37,6 +38,7 @@ public:
         QList<JournalEntry> entries;
         QList<Backfill> backfills;
         QHash<int, TimeSpan> dropped; ///< N → of what readings there was no room for
+        QHash<int, TimeSpan> droppedBlocks; ///< likewise of samples
         qsizetype blocksDropped = 0;
         qsizetype entriesDropped = 0;
         qsizetype backfillsDropped = 0;
@@ -54,10 +56,12 @@ public:
 
 private:
     void dropOldest();
+    void dropOldestBlock();
 
     mutable QMutex m_mutex;
     Contents m_contents;
     QHash<int, LineState> m_states; ///< port → the last one
+    QSet<int> m_torn; ///< N whose last block was dropped, and none came since
 };
 
 } // namespace gorizont

@@ -98,11 +98,42 @@ UtcTime startOf(QDate day, const QTimeZone &zone)
 
 bool ArchiveQuery::prepare()
 {
-    if (m_database.isOpen() && m_database.fault() != ArchiveFault::Gone) {
+    const bool isFile = m_database.isSqlite();
+    // A server that was started again in between has to be connected to again.
+    if (m_database.isOpen() && (isFile || m_database.execute(u"SELECT 1"_s))) {
         return true;
     }
-    const ArchiveConfig &config = m_database.config();
-    return (config.driver != ArchiveDriver::Sqlite || QFileInfo::exists(config.file)) && m_database.open();
+    if (isFile && !QFileInfo::exists(m_database.config().file)) {
+        return false;
+    }
+    const bool isOpen = m_database.open();
+    m_hasFailed = m_hasFailed || (!isOpen && m_database.fault() != ArchiveFault::Empty);
+    return isOpen;
+}
+
+bool ArchiveQuery::begin()
+{
+    const bool isReady = prepare();
+    const bool hasBegun = isReady && m_database.begin();
+    m_hasFailed = m_hasFailed || isReady != hasBegun;
+    return hasBegun;
+}
+
+/// An error is not the end of the rows.
+bool ArchiveQuery::next(QSqlQuery *rows)
+{
+    if (rows && rows->next()) {
+        return true;
+    }
+    m_hasFailed = !m_database.isWhole(rows) || m_hasFailed;
+    return false;
+}
+
+QVariant ArchiveQuery::single(const QString &sql, const QVariantList &values)
+{
+    const QVariant value = m_database.single(sql, values);
+    m_hasFailed = m_hasFailed || (!value.isValid() && m_database.fault() != ArchiveFault::None);
+    return value;
 }
 
 void ArchiveQuery::loadTail(const QSet<int> &numbers)
@@ -111,14 +142,14 @@ void ArchiveQuery::loadTail(const QSet<int> &numbers)
     m_tail = {};
     QSqlQuery *sensors =
         m_database.run(u"SELECT number, known_from, known_until, readings_done, samples_done FROM sensor"_s);
-    while (sensors && sensors->next()) {
+    while (next(sensors)) {
         m_known.insert(
             sensors->value(0).toInt(),
             {readTime(sensors->value(1)), readTime(sensors->value(2)), sensors->value(3).toLongLong(),
              sensors->value(4).toLongLong()});
     }
     QSqlQuery *rows = m_database.run(u"SELECT id, data FROM tail ORDER BY id"_s);
-    while (rows && rows->next()) {
+    while (next(rows)) {
         const qint64 id = rows->value(0).toLongLong();
         const auto contents = TailBatch::decode(rows->value(1).toByteArray(), numbers);
         if (!contents) {
@@ -140,7 +171,7 @@ void ArchiveQuery::loadTail(const QSet<int> &numbers)
 QList<Series> ArchiveQuery::series(const SeriesQuery &query, const IsCancelled &isCancelled)
 {
     QList<Series> all;
-    const bool isReady = prepare() && m_database.begin();
+    const bool isReady = begin();
     if (isReady) {
         QSet<int> numbers;
         for (const SeriesKey &key : query.keys) {
@@ -181,7 +212,7 @@ Buckets ArchiveQuery::storedRollups(
         "ORDER BY start"_s,
         {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(floored(from, stretchOf(kind))),
          storedTime(to)});
-    while (rows && rows->next() && !(isCancelled && isCancelled())) {
+    while (next(rows) && !(isCancelled && isCancelled())) {
         if (const auto buckets = decodeRollup(rows->value(0).toByteArray(), kind)) {
             all += *buckets;
         }
@@ -206,7 +237,7 @@ Buckets ArchiveQuery::fullRate(
         "ORDER BY start"_s,
         {static_cast<int>(kind), key.number, storedTime(from - 2 * OpenChunks::longest), storedTime(to),
          storedTime(from)});
-    while (rows && rows->next() && !(isCancelled && isCancelled())) {
+    while (next(rows) && !(isCancelled && isCancelled())) {
         const QByteArray data = rows->value(0).toByteArray();
         if (kind == ChunkKind::Samples) {
             if (const auto chunk = decodeSampleChunk(data)) {
@@ -233,7 +264,7 @@ QList<TimeSpan> ArchiveQuery::gapSpans(int number, UtcTime from, UtcTime to)
         u"SELECT start, finish FROM gap WHERE number = ? AND start < ? AND (finish IS NULL OR finish > ?) "
         "AND source = '' ORDER BY start"_s,
         {number, storedTime(to), storedTime(from)});
-    while (rows && rows->next()) {
+    while (next(rows)) {
         spans.append({readTime(rows->value(0)), rows->isNull(1) ? to : readTime(rows->value(1))});
     }
     return spans;
@@ -247,7 +278,7 @@ QList<Gap> ArchiveQuery::gaps(const QList<int> &numbers, UtcTime from, UtcTime t
             u"SELECT start, finish, reason, source FROM gap WHERE number = ? AND start < ? AND (finish IS NULL OR "
             "finish > ?) ORDER BY start"_s,
             {numbers.at(i), storedTime(to), storedTime(from)});
-        while (rows && rows->next()) {
+        while (next(rows)) {
             Gap gap{numbers.at(i), readTime(rows->value(0)), {}, static_cast<GapReason>(rows->value(2).toInt()), {}};
             if (!rows->isNull(1)) {
                 gap.to = readTime(rows->value(1));
@@ -268,9 +299,9 @@ QList<DayCompleteness> ArchiveQuery::completeness(
     }
     const UtcTime from = startOf(first, zone);
     const UtcTime to = startOf(last.addDays(1), zone);
-    const UtcTime alive = readTime(m_database.single(u"SELECT value FROM meta WHERE name = 'alive'"_s));
+    const UtcTime alive = readTime(single(u"SELECT value FROM meta WHERE name = 'alive'"_s));
     for (const int number : numbers) {
-        const QVariant known = m_database.single(u"SELECT known_from FROM sensor WHERE number = ?"_s, {number});
+        const QVariant known = single(u"SELECT known_from FROM sensor WHERE number = ?"_s, {number});
         if (known.isValid()) {
             const TimeSpan span{std::max(from, readTime(known)), std::min(to, alive)};
             days += gorizont::completeness(number, gaps({number}, from, to), span, zone);
@@ -282,12 +313,14 @@ QList<DayCompleteness> ArchiveQuery::completeness(
 QList<JournalEntry> ArchiveQuery::events(UtcTime from, UtcTime to, int most)
 {
     QList<JournalEntry> events;
-    QSqlQuery *rows = !prepare() ? nullptr
-                                 : m_database.run(
-                                     u"SELECT kind, time, text, port, number FROM event WHERE time >= ? AND time < ? "
-                                     "ORDER BY time DESC, id DESC LIMIT ?"_s,
-                                     {storedTime(from), storedTime(to), most});
-    while (rows && rows->next()) {
+    if (!prepare()) {
+        return events;
+    }
+    QSqlQuery *rows = m_database.run(
+        u"SELECT kind, time, text, port, number FROM event WHERE time >= ? AND time < ? ORDER BY time DESC, id DESC "
+        "LIMIT ?"_s,
+        {storedTime(from), storedTime(to), most});
+    while (next(rows)) {
         events.prepend(
             {static_cast<JournalKind>(rows->value(0).toInt()), readTime(rows->value(1)), rows->value(2).toString(),
              rows->value(3).toInt(), rows->value(4).toInt()});
@@ -298,7 +331,7 @@ QList<JournalEntry> ArchiveQuery::events(UtcTime from, UtcTime to, int most)
 QList<SampleBlock> ArchiveQuery::blocks(int number, UtcTime from, UtcTime to)
 {
     QList<SampleBlock> blocks;
-    if (!prepare() || !m_database.begin()) {
+    if (!begin()) {
         return blocks;
     }
     loadTail({number});
@@ -307,7 +340,7 @@ QList<SampleBlock> ArchiveQuery::blocks(int number, UtcTime from, UtcTime to)
         "start"_s,
         {static_cast<int>(ChunkKind::Samples), number, storedTime(from - 2 * OpenChunks::longest), storedTime(to),
          storedTime(from)});
-    while (rows && rows->next()) {
+    while (next(rows)) {
         if (const auto chunk = decodeSampleChunk(rows->value(0).toByteArray())) {
             appendBlocks(blocks, number, *chunk);
         }
@@ -329,12 +362,13 @@ QList<SampleBlock> ArchiveQuery::blocks(int number, UtcTime from, UtcTime to)
 QList<DeviceRecord> ArchiveQuery::records(int number, UtcTime from, UtcTime to)
 {
     QList<DeviceRecord> records;
-    QSqlQuery *rows = !prepare() ? nullptr
-                                 : m_database.run(
-                                     u"SELECT start, name, data FROM record WHERE number = ? AND start >= ? AND start "
-                                     "< ? ORDER BY start"_s,
-                                     {number, storedTime(from), storedTime(to)});
-    while (rows && rows->next()) {
+    if (!prepare()) {
+        return records;
+    }
+    QSqlQuery *rows = m_database.run(
+        u"SELECT start, name, data FROM record WHERE number = ? AND start >= ? AND start < ? ORDER BY start"_s,
+        {number, storedTime(from), storedTime(to)});
+    while (next(rows)) {
         records.append({number, readTime(rows->value(0)), rows->value(1).toString(), rows->value(2).toByteArray()});
     }
     return records;

@@ -8,6 +8,7 @@
 #include <QTimeZone>
 
 #include <functional>
+#include <utility>
 
 namespace gorizont {
 
@@ -23,7 +24,7 @@ public:
     {
     }
 
-    /// Empty answers too where there is no archive yet. What cannot be read is left out.
+    /// Empty answers too where there is no archive yet. What cannot be read is left out, see takeFailure().
     QList<Series> series(const SeriesQuery &query, const IsCancelled &isCancelled = {});
     QList<Gap> gaps(const QList<int> &numbers, UtcTime from, UtcTime to);
     /// Days by the clock of \a zone, from \a first to \a last.
@@ -32,12 +33,18 @@ public:
     QList<SampleBlock> blocks(int number, UtcTime from, UtcTime to);
     QList<DeviceRecord> records(int number, UtcTime from, UtcTime to);
 
+    /// True: an answer since the last call lacks what could not be read.
+    bool takeFailure() { return std::exchange(m_hasFailed, false); }
+
     /// The file is another one: it is opened again for the next question.
     void reopen() { m_database.close(); }
     ArchiveDatabase &database() { return m_database; }
 
 private:
     bool prepare();
+    bool begin();
+    bool next(QSqlQuery *rows);
+    QVariant single(const QString &sql, const QVariantList &values = {});
     void loadTail(const QSet<int> &numbers);
     Series seriesOf(const SeriesKey &key, const SeriesQuery &query, const IsCancelled &isCancelled);
     Buckets storedRollups(
@@ -50,6 +57,7 @@ private:
     ArchiveDatabase m_database;
     QHash<int, KnownSensor> m_known;
     TailBatch::Contents m_tail; ///< what is in no chunk, of the sensors asked for
+    bool m_hasFailed = false;
 };
 
 /// The steps in which a stretch can be answered.

@@ -38,7 +38,7 @@ QFuture<T> ArchiveReader::ask(const std::function<T(ArchiveQuery &, const Archiv
         };
         if (!isCancelled()) {
             T answer = question(*m_query, isCancelled);
-            if (!isCancelled()) {
+            if (!m_query->takeFailure() && !isCancelled()) {
                 promise->addResult(std::move(answer));
             }
         }

@@ -12,7 +12,8 @@
 namespace gorizont {
 
 /// Answers questions about the archive in a thread of its own, one after the other; a question that is cancelled costs
-/// nothing more. Made and asked on any one thread; its end waits for the answer that is being made and cancels the rest.
+/// nothing more. What an archive that cannot be read would have answered is cancelled. Made and asked on any one thread; its
+/// end waits for the answer that is being made and cancels the rest.
 class ArchiveReader : public QObject
 {
     Q_OBJECT

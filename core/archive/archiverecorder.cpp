@@ -1,5 +1,7 @@
 #include "core/archive/archiverecorder.h"
 
+#include "core/archive/damagedfile.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -92,12 +94,15 @@ bool ArchiveRecorder::load(UtcTime now)
 {
     const auto sensors = m_store.sensors();
     const auto rows = sensors ? m_store.tail() : std::nullopt;
+    if (!rows) {
+        return false;
+    }
     const auto alive = m_store.aliveAt();
-    if (!rows || (!alive && m_store.database().fault() != ArchiveFault::None)) {
+    if (!alive && m_store.database().fault() != ArchiveFault::None) {
         return false;
     }
     const auto applied = m_store.applied();
-    if (!applied) {
+    if (!applied || !resumeSalvage(!alive)) {
         return false;
     }
     m_applied = *applied;
@@ -182,6 +187,9 @@ void ArchiveRecorder::take(const ArchiveInbox::Contents &contents, UtcTime now)
         m_ledger.add(change.status, change.time);
     }
     for (auto dropped = contents.dropped.cbegin(); dropped != contents.dropped.cend(); ++dropped) {
+        m_ledger.addLost(dropped.key(), *dropped);
+    }
+    for (auto dropped = contents.droppedBlocks.cbegin(); dropped != contents.droppedBlocks.cend(); ++dropped) {
         m_ledger.addLost(dropped.key(), *dropped);
     }
     for (const Reading &reading : contents.readings) {

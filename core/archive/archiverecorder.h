@@ -57,6 +57,8 @@ public:
     void startSalvage(const QString &file);
     bool salvage();
     bool hasSalvage() const { return m_salvage != nullptr; }
+    /// startAnew() was called, and what was open then is in no store yet.
+    bool isAnew() const { return m_isAnew; }
 
     /// Readings and samples of backfills that were new.
     qint64 backfilled() const { return m_backfilled; }
@@ -79,6 +81,7 @@ private:
         SpoolMark mark; ///< of the last one
         qint64 end = 0; ///< in the spool
         bool hasDamage = false;
+        bool isUnreadable = false; ///< behind end
     };
 
     bool lock();
@@ -90,6 +93,8 @@ private:
     void bridge(UtcTime now);
     void forgetWritten(const std::optional<UtcTime> &alive);
     void replay(const QList<ArchiveStore::TailRow> &rows);
+    bool resumeSalvage(bool isNew);
+    bool putSalvageMark();
     bool putSalvagedSensors();
     void takeBackfill(Backfill backfill);
     bool writeBackfill(const Backfill &backfill, UtcTime now);
@@ -104,6 +109,7 @@ private:
     bool isApplied(const SpoolMark &mark) const;
     void noteSpool(bool isGood);
     bool writeChunks(bool isEverything);
+    void noteRollups();
     bool writeReadings(int number, const OpenChunks::Sensor &sensor);
     bool writeSamples(int number, const OpenChunks::Sensor &sensor);
     bool fail();

@@ -1,5 +1,8 @@
 #include "core/archive/archivestore.h"
 
+#include "core/archive/openchunks.h"
+#include "core/archive/rollup.h"
+
 namespace gorizont {
 
 using Qt::Literals::StringLiterals::operator""_s;
@@ -37,7 +40,7 @@ std::optional<SpoolMark> ArchiveStore::applied()
     while (query->next()) {
         (query->value(0).toString() == u"spool" ? mark.spool : mark.sequence) = query->value(1).toLongLong();
     }
-    return mark;
+    return m_database.isWhole(query) ? std::optional(mark) : std::nullopt;
 }
 
 bool ArchiveStore::setApplied(const SpoolMark &mark)
@@ -46,6 +49,32 @@ bool ArchiveStore::setApplied(const SpoolMark &mark)
         u"INSERT INTO meta (name, value) VALUES ('spool', ?), ('spooled', ?) ON CONFLICT (name) DO UPDATE SET value = "
         "excluded.value"_s,
         {mark.spool, mark.sequence});
+}
+
+std::optional<SalvageMark> ArchiveStore::salvageMark()
+{
+    QSqlQuery *query = m_database.run(u"SELECT name, value FROM meta WHERE name LIKE 'salvage%'"_s);
+    QHash<QString, qint64> values;
+    while (query && query->next()) {
+        values.insert(query->value(0).toString(), query->value(1).toLongLong());
+    }
+    if (!m_database.isWhole(query)) {
+        return {};
+    }
+    return SalvageMark{
+        values.value(u"salvage"_s), static_cast<int>(values.value(u"salvage_table"_s)), values.value(u"salvage_last"_s),
+        values.value(u"salvage_rows"_s), values.value(u"salvage_tail"_s) != 0};
+}
+
+bool ArchiveStore::setSalvageMark(const SalvageMark &mark)
+{
+    if (mark.copy == 0) {
+        return m_database.run(u"DELETE FROM meta WHERE name LIKE 'salvage%'"_s);
+    }
+    return m_database.run(
+        u"INSERT INTO meta (name, value) VALUES ('salvage', ?), ('salvage_table', ?), ('salvage_last', ?), "
+        "('salvage_rows', ?), ('salvage_tail', ?) ON CONFLICT (name) DO UPDATE SET value = excluded.value"_s,
+        {mark.copy, mark.table, mark.last, mark.rescued, mark.takesTail ? 1 : 0});
 }
 
 std::optional<QList<ArchiveStore::TailRow>> ArchiveStore::tail()
@@ -58,13 +87,14 @@ std::optional<QList<ArchiveStore::TailRow>> ArchiveStore::tail()
     while (query->next()) {
         rows.append({query->value(0).toLongLong(), query->value(1).toByteArray()});
     }
-    return rows;
+    return m_database.isWhole(query) ? std::optional(rows) : std::nullopt;
 }
 
 std::optional<qint64> ArchiveStore::appendTail(const QByteArray &data)
 {
     QSqlQuery *query = m_database.run(u"INSERT INTO tail (data) VALUES (?) RETURNING id"_s, {data});
     if (!query || !query->next()) {
+        m_database.isWhole(query);
         return {};
     }
     const qint64 id = query->value(0).toLongLong();
@@ -91,7 +121,7 @@ std::optional<QHash<int, KnownSensor>> ArchiveStore::sensors()
             {readTime(query->value(1)), readTime(query->value(2)), query->value(3).toLongLong(),
              query->value(4).toLongLong()});
     }
-    return sensors;
+    return m_database.isWhole(query) ? std::optional(sensors) : std::nullopt;
 }
 
 bool ArchiveStore::putSensor(int number, const KnownSensor &sensor)
@@ -124,6 +154,32 @@ bool ArchiveStore::putRollup(ChunkKind kind, const SeriesKey &key, UtcTime stret
         u"INSERT INTO rollup (kind, number, quantity, start, data) VALUES (?, ?, ?, ?, ?) "
         "ON CONFLICT (kind, number, quantity, start) DO UPDATE SET data = excluded.data"_s,
         {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(stretch), data});
+}
+
+std::optional<QList<QByteArray>> ArchiveStore::dataOf(const QString &rows, const QVariantList &values)
+{
+    QSqlQuery *query = m_database.run(u"SELECT data FROM %1 ORDER BY start"_s.arg(rows), values);
+    QList<QByteArray> data;
+    while (query && query->next()) {
+        data.append(query->value(0).toByteArray());
+    }
+    return m_database.isWhole(query) ? std::optional(data) : std::nullopt;
+}
+
+std::optional<QList<QByteArray>> ArchiveStore::rollups(ChunkKind kind, const SeriesKey &key, const TimeSpan &span)
+{
+    return dataOf(
+        u"rollup WHERE kind = ? AND number = ? AND quantity = ? AND start > ? AND start < ?"_s,
+        {static_cast<int>(kind), key.number, static_cast<int>(key.quantity), storedTime(span.from - stretchOf(kind)),
+         storedTime(span.to)});
+}
+
+std::optional<QList<QByteArray>> ArchiveStore::chunks(ChunkKind kind, int number, const TimeSpan &span)
+{
+    return dataOf(
+        u"chunk WHERE kind = ? AND number = ? AND start >= ? AND start < ? AND finish > ?"_s,
+        {static_cast<int>(kind), number, storedTime(span.from - 2 * OpenChunks::longest), storedTime(span.to),
+         storedTime(span.from)});
 }
 
 bool ArchiveStore::putGap(const Gap &gap)
@@ -193,7 +249,7 @@ std::optional<QHash<int, UtcTime>> ArchiveStore::endOpenGaps(UtcTime at)
     while (query->next()) {
         ends.insert(query->value(0).toInt(), readTime(query->value(1)));
     }
-    return ends;
+    return m_database.isWhole(query) ? std::optional(ends) : std::nullopt;
 }
 
 bool ArchiveStore::appendEvent(const JournalEntry &entry)

@@ -22,6 +22,17 @@ struct KnownSensor
     qint64 samplesDone = 0; ///< likewise its samples
 };
 
+/// How far what was set aside is taken over.
+struct SalvageMark
+{
+    qint64 copy = 0; ///< which file, see copyName(); 0: none
+    int table = 0; ///< of Salvage
+    qint64 last = 0; ///< the row there
+    qint64 rescued = 0; ///< rows
+    bool takesTail = true; ///< what is in no chunk is wanted too
+    bool operator==(const SalvageMark &) const = default;
+};
+
 /// The rows of the archive: one method a statement. False and empty answers: see fault(). Archive thread.
 class ArchiveStore
 {
@@ -39,12 +50,15 @@ public:
     std::optional<SpoolMark> applied(); ///< the last batch that came with a mark; its spool is 0: none did
     bool setApplied(const SpoolMark &mark);
 
+    std::optional<SalvageMark> salvageMark();
+    bool setSalvageMark(const SalvageMark &mark);
+
     struct TailRow
     {
         qint64 id = 0;
         QByteArray data;
     };
-    std::optional<QList<TailRow>> tail();
+    std::optional<QList<TailRow>> tail(); ///< empty: not all of it could be read
     std::optional<qint64> appendTail(const QByteArray &data); ///< its id
     bool removeTailBelow(qint64 id);
 
@@ -54,6 +68,10 @@ public:
     bool appendChunk(ChunkKind kind, int number, const TimeSpan &span, const QByteArray &data);
     std::optional<QByteArray> rollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch); ///< empty: there is none
     bool putRollup(ChunkKind kind, const SeriesKey &key, UtcTime stretch, const QByteArray &data);
+
+    /// The data of rows that touch \a span, in the order of their time. Empty: not all could be read.
+    std::optional<QList<QByteArray>> rollups(ChunkKind kind, const SeriesKey &key, const TimeSpan &span);
+    std::optional<QList<QByteArray>> chunks(ChunkKind kind, int number, const TimeSpan &span);
 
     /// One gap of a sensor begins at one time: the same again changes it.
     bool putGap(const Gap &gap);
@@ -76,6 +94,7 @@ public:
 
 private:
     std::optional<QList<Gap>> gapsWhere(int number, const QString &condition, const QVariantList &values);
+    std::optional<QList<QByteArray>> dataOf(const QString &rows, const QVariantList &values);
 
     ArchiveDatabase m_database;
 };

@@ -8,8 +8,6 @@ namespace gorizont {
 
 namespace {
 
-constexpr std::chrono::seconds clockTolerance{1};
-
 SteadyTime steadyNow()
 {
     return std::chrono::steady_clock::now();
@@ -69,8 +67,9 @@ void ArchiveWriter::start()
 void ArchiveWriter::flush()
 {
     const UtcTime now = m_clock();
+    const SteadyTime steady = steadyNow(); // of the same moment: what follows may wait for a server or a disk
     if (m_recorder.isBridging()) { // first of all: to ask a server that is gone takes a while
-        takeInbox(now);
+        takeInbox(now, steady);
         m_recorder.commit(now);
     }
     if (m_retryAt && steadyNow() < *m_retryAt) {
@@ -80,20 +79,23 @@ void ArchiveWriter::flush()
         failed();
         return;
     }
-    takeInbox(now);
+    takeInbox(now, steady);
     if (m_recorder.commit(now)) {
         succeeded();
         salvage();
         sweep(now);
     } else {
         failed();
+        makeRoom(now);
     }
 }
 
-void ArchiveWriter::takeInbox(UtcTime now)
+void ArchiveWriter::takeInbox(UtcTime now, SteadyTime steady)
 {
     if (m_recorder.canTake()) {
-        noteClockStep(now);
+        if (const auto step = m_clockWatch.step(now, steady)) {
+            m_recorder.clockStepped(now - *step, now);
+        }
         m_recorder.take(m_inbox.take(), now);
     }
 }
@@ -110,19 +112,50 @@ void ArchiveWriter::salvage()
     }
 }
 
-/// What could not be removed now is removed the next time.
+/// What could not be removed now is removed the next time. One event when that begins, and when it ends.
 void ArchiveWriter::sweep(UtcTime now)
 {
-    if (steadyNow() >= m_sweepAt) {
-        const auto outcome = m_retention.sweep(m_recorder.store(), now);
-        const bool hasMore = outcome == Retention::Outcome::MoreToDo;
-        m_sweepAt = steadyNow() + (hasMore ? m_config.commitInterval : m_config.retentionInterval);
+    if (steadyNow() < m_sweepAt) {
+        return;
+    }
+    const auto outcome = m_retention.sweep(m_recorder.store(), now);
+    const bool hasMore = outcome == Retention::Outcome::MoreToDo;
+    const bool hasFailed = outcome == Retention::Outcome::Failed;
+    m_sweepAt = steadyNow() + (hasMore ? m_config.commitInterval : m_config.retentionInterval);
+    if (hasFailed && !m_hasSweepFailed) {
+        note(
+            JournalKind::Error,
+            tr("What is too old cannot be removed from the archive: %1 It is tried again every few minutes.")
+                .arg(m_recorder.store().database().error()));
+    } else if (!hasFailed && m_hasSweepFailed) {
+        note(JournalKind::Info, tr("What is too old is removed from the archive again."));
+    }
+    m_hasSweepFailed = hasFailed;
+}
+
+/// On a full disk what is too old makes room for what is new; there may still be some in the log for that.
+void ArchiveWriter::makeRoom(UtcTime now)
+{
+    if (m_recorder.isOpen() && m_recorder.fault() == ArchiveFault::Full) {
+        const auto outcome = m_retention.sweep(m_recorder.store(), now, Retention::Room::Kept);
+        if (outcome == Retention::Outcome::Failed && m_config.driver == ArchiveDriver::Sqlite) {
+            m_recorder.store().database().execute(QStringLiteral("PRAGMA wal_checkpoint")); // the log begins anew then
+        }
     }
 }
 
 void ArchiveWriter::stop()
 {
     m_timer.stop();
+    finish();
+    if (m_recorder.isAnew()) { // it was set aside just now: what is at hand goes into the next one
+        finish();
+    }
+    m_recorder.close();
+}
+
+void ArchiveWriter::finish()
+{
     const UtcTime now = m_clock();
     if (!m_recorder.isOpen() && !m_recorder.isBridging() && !m_recorder.open(now)) {
         failed();
@@ -130,21 +163,6 @@ void ArchiveWriter::stop()
     if ((m_recorder.isOpen() || m_recorder.isBridging()) && !m_recorder.finish(m_inbox, now)) {
         failed();
     }
-    m_recorder.close();
-}
-
-void ArchiveWriter::noteClockStep(UtcTime now)
-{
-    const SteadyTime steady = steadyNow();
-    if (m_lastWall) {
-        const auto expected =
-            *m_lastWall + std::chrono::duration_cast<std::chrono::microseconds>(steady - m_lastSteady);
-        if (now - expected > clockTolerance || expected - now > clockTolerance) {
-            m_recorder.clockStepped(expected, now);
-        }
-    }
-    m_lastWall = now;
-    m_lastSteady = steady;
 }
 
 /// One event when the first thing goes wrong, none while it stays so.

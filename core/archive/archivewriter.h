@@ -2,6 +2,7 @@
 
 #include "core/archive/archiverecorder.h"
 #include "core/archive/retention.h"
+#include "core/values/clockwatch.h"
 
 #include <QObject>
 #include <QTimer>
@@ -48,10 +49,11 @@ Q_SIGNALS:
     void replaced();
 
 private:
-    void takeInbox(UtcTime now);
-    void noteClockStep(UtcTime now);
+    void takeInbox(UtcTime now, SteadyTime steady);
     void salvage();
     void sweep(UtcTime now);
+    void makeRoom(UtcTime now);
+    void finish();
     void failed();
     void succeeded();
     void note(JournalKind kind, const QString &text);
@@ -62,10 +64,10 @@ private:
     ArchiveRecorder m_recorder;
     Retention m_retention;
     SteadyTime m_sweepAt; ///< the next time
+    bool m_hasSweepFailed = false;
     QTimer m_timer{this};
     std::optional<SteadyTime> m_retryAt; ///< while something fails
-    std::optional<UtcTime> m_lastWall;
-    SteadyTime m_lastSteady;
+    ClockWatch m_clockWatch;
 };
 
 } // namespace gorizont

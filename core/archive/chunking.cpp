@@ -31,8 +31,13 @@ bool ArchiveRecorder::writeChunks(bool isEverything)
     for (const int number : std::as_const(samples)) {
         isGood = isGood && writeSamples(number, before.sensors().at(number));
     }
-    if (isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1)) && database.commit()) {
+    isGood = isGood && m_store.removeTailBelow(m_open.firstRow(m_lastRow + 1));
+    if (isGood && m_isAnew && m_salvage) {
+        isGood = m_store.setSalvageMark(m_salvage->mark());
+    }
+    if (isGood && database.commit()) {
         m_isAnew = false;
+        noteRollups();
         return true;
     }
     fail();
@@ -41,6 +46,17 @@ bool ArchiveRecorder::writeChunks(bool isEverything)
     m_open = before;
     m_known = knownBefore;
     return false;
+}
+
+void ArchiveRecorder::noteRollups()
+{
+    if (const int count = m_rollups.takeDamaged(); count > 0) {
+        m_note(
+            JournalKind::Error,
+            tr("Rollups of the archive were damaged, %1 of them. They were made again from the readings that are still "
+               "there.")
+                .arg(count));
+    }
 }
 
 bool ArchiveRecorder::writeReadings(int number, const OpenChunks::Sensor &sensor)

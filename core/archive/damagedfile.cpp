@@ -1,7 +1,12 @@
 #include "core/archive/damagedfile.h"
 
+#include "core/archive/archivebytes.h"
+
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
 
 namespace gorizont {
 
@@ -21,6 +26,25 @@ std::optional<QString> setAside(const QString &path, UtcTime now)
     QFile::rename(path + QStringLiteral("-wal"), aside + QStringLiteral("-wal"));
     QFile::remove(path + QStringLiteral("-shm"));
     return aside;
+}
+
+QStringList copiesOf(const QString &path)
+{
+    const QFileInfo file(path);
+    static const QRegularExpression stamp(QStringLiteral("^\\.damaged-\\d{8}-\\d{6}(-\\d+)?$"));
+    QStringList copies;
+    const QDir folder = file.dir();
+    for (const QString &name : folder.entryList(QDir::Files, QDir::Name | QDir::Reversed)) {
+        if (name.startsWith(file.fileName()) && stamp.match(name.mid(file.fileName().size())).hasMatch()) {
+            copies.append(folder.filePath(name));
+        }
+    }
+    return copies;
+}
+
+qint64 copyName(const QString &copy)
+{
+    return (qint64{1} << 32) | crc32(QFileInfo(copy).fileName().toUtf8());
 }
 
 } // namespace gorizont

@@ -48,6 +48,8 @@ QStringList postgreSqlSetup(ArchiveDatabase::Access access)
     } else {
         // All statements of one answer see the same rows.
         statements.append(u"SET SESSION CHARACTERISTICS AS TRANSACTION ISOLATION LEVEL REPEATABLE READ"_s);
+        // A question that takes longer keeps old rows alive on the server, and those who ask the next one waiting.
+        statements.append(u"SET statement_timeout TO '60s'"_s);
     }
     return statements;
 }

@@ -1,6 +1,9 @@
 #include "core/archive/retention.h"
 
 #include "core/archive/rollup.h"
+#include "core/values/quantity.h"
+
+#include <algorithm>
 
 namespace gorizont {
 
@@ -19,7 +22,22 @@ qint64 usedBytes(ArchiveDatabase &database)
     return (pages - unused) * database.single(u"PRAGMA page_size"_s).toLongLong();
 }
 
-Retention::Outcome Retention::sweep(ArchiveStore &store, UtcTime now)
+QString expiredRows(ChunkKind kind)
+{
+    if (kind == ChunkKind::FullRate || kind == ChunkKind::Samples) {
+        return u"chunk WHERE kind = %1 AND number IN (SELECT number FROM sensor) AND start < ? AND finish < ?"_s.arg(
+            static_cast<int>(kind));
+    }
+    QStringList quantities;
+    for (const Quantity quantity : readingQuantities() + QList{Quantity::SampleX, Quantity::SampleY}) {
+        quantities.append(QString::number(static_cast<int>(quantity)));
+    }
+    return u"rollup WHERE kind = %1 AND number IN (SELECT number FROM sensor) AND quantity IN (%2) AND start < ?"_s
+        .arg(static_cast<int>(kind))
+        .arg(quantities.join(u", "_s));
+}
+
+Retention::Outcome Retention::sweep(ArchiveStore &store, UtcTime now, Room room)
 {
     ArchiveDatabase &database = store.database();
     m_hasMore = false;
@@ -30,25 +48,10 @@ Retention::Outcome Retention::sweep(ArchiveStore &store, UtcTime now)
         database.rollback();
         return Outcome::Failed;
     }
-    giveBack(database);
+    if (database.isSqlite() && room == Room::GivenBack && !shrink(database)) {
+        return Outcome::Failed;
+    }
     return m_hasMore ? Outcome::MoreToDo : Outcome::Done;
-}
-
-/// Pages that are free shorten the file, one with each statement: Qt makes only the first step of what has no columns.
-void Retention::giveBack(ArchiveDatabase &database)
-{
-    const qint64 unused = database.isSqlite() ? database.single(u"PRAGMA freelist_count"_s).toLongLong() : 0;
-    const qint64 count = std::min<qint64>(unused, 4 * mostRows);
-    if (count == 0 || !database.begin()) {
-        return;
-    }
-    for (qint64 i = 0; i < count; ++i) {
-        database.execute(u"PRAGMA incremental_vacuum(1)"_s);
-    }
-    if (!database.commit()) {
-        database.rollback();
-    }
-    m_hasMore = m_hasMore || unused > count;
 }
 
 /// \a rows: the statement that selects their ids and names their table first, `chunk WHERE …`.
@@ -61,27 +64,52 @@ bool Retention::remove(ArchiveDatabase &database, const QString &rows, const QVa
     return query;
 }
 
+/// The pragma makes a row of every page that it gives back, and one execution goes no further than to the first.
+bool Retention::shrink(ArchiveDatabase &database)
+{
+    const auto pages = [&database] { return database.single(u"PRAGMA page_count"_s).toLongLong(); };
+    const qint64 unused = database.single(u"PRAGMA freelist_count"_s).toLongLong();
+    const qint64 before = pages();
+    if (unused == 0) {
+        return true;
+    }
+    bool isGood = database.begin();
+    for (qint64 page = 0; isGood && page < std::min(unused, mostPages); ++page) {
+        QSqlQuery *step = database.run(u"PRAGMA incremental_vacuum(1)"_s);
+        isGood = step != nullptr;
+        if (step) {
+            step->finish();
+        }
+    }
+    if (!isGood || !database.commit()) {
+        database.rollback();
+        return false;
+    }
+    m_hasMore = m_hasMore || (unused > mostPages && pages() < before);
+    return true;
+}
+
 bool Retention::sweepAge(ArchiveDatabase &database, UtcTime now)
 {
     const auto isGood = [&](std::chrono::hours age, const QString &rows, const QVariantList &values) {
-        return age.count() == 0 || remove(database, rows, values + QVariantList{storedTime(now - age)});
+        return age.count() == 0 || remove(database, rows, values);
     };
-    bool isAllGood =
-        isGood(m_retention.readings, u"chunk WHERE kind = ? AND finish < ?"_s, {static_cast<int>(ChunkKind::FullRate)});
-    isAllGood = isAllGood
-        && isGood(m_retention.samples, u"chunk WHERE kind = ? AND finish < ?"_s,
-                  {static_cast<int>(ChunkKind::Samples)});
+    const qint64 readings = storedTime(now - m_retention.readings);
+    const qint64 samples = storedTime(now - m_retention.samples);
+    const qint64 events = storedTime(now - m_retention.events);
+    bool isAllGood = isGood(m_retention.readings, expiredRows(ChunkKind::FullRate), {readings, readings})
+        && isGood(m_retention.samples, expiredRows(ChunkKind::Samples), {samples, samples});
     for (const ChunkKind kind : rollupKinds) {
-        const QString rows = u"rollup WHERE kind = ? AND start + %1 < ?"_s.arg(stretchOf(kind).count());
-        isAllGood = isAllGood && isGood(m_retention.rollups, rows, {static_cast<int>(kind)});
+        const qint64 before = storedTime(now - m_retention.rollups - stretchOf(kind));
+        isAllGood = isAllGood && isGood(m_retention.rollups, expiredRows(kind), {before});
     }
-    return isAllGood && isGood(m_retention.events, u"event WHERE time < ?"_s, {})
-        && isGood(m_retention.events, u"gap WHERE finish < ?"_s, {});
+    return isAllGood && isGood(m_retention.events, u"event WHERE time < ?"_s, {events})
+        && isGood(m_retention.events, u"gap WHERE finish < ?"_s, {events});
 }
 
 bool Retention::sweepSize(ArchiveDatabase &database)
 {
-    if (m_retention.mostBytes == 0 || usedBytes(database) <= m_retention.mostBytes) {
+    if (m_retention.mostBytes == 0 || !database.isSqlite() || usedBytes(database) <= m_retention.mostBytes) {
         return true;
     }
     for (const QString &table : {u"chunk"_s, u"event"_s, u"rollup"_s}) {

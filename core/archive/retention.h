@@ -10,6 +10,7 @@ class Retention
 {
 public:
     static constexpr int mostRows = 300; ///< of one kind at a time
+    static constexpr qint64 mostPages = 600; ///< of the file that are given back at a time
 
     explicit Retention(const ArchiveRetention &retention)
         : m_retention(retention)
@@ -17,19 +18,27 @@ public:
     }
 
     enum class Outcome : quint8 { Failed, Done, MoreToDo };
-    Outcome sweep(ArchiveStore &store, UtcTime now);
+    enum class Room : quint8 {
+        GivenBack, ///< to the disk: the file becomes smaller
+        Kept, ///< for what is written next
+    };
+    Outcome sweep(ArchiveStore &store, UtcTime now, Room room = Room::GivenBack);
 
 private:
     bool sweepAge(ArchiveDatabase &database, UtcTime now);
     bool sweepSize(ArchiveDatabase &database);
-    void giveBack(ArchiveDatabase &database);
+    bool shrink(ArchiveDatabase &database);
     bool remove(ArchiveDatabase &database, const QString &rows, const QVariantList &values = {});
 
     const ArchiveRetention m_retention;
     bool m_hasMore = false;
 };
 
-/// Bytes of the file that hold something; 0: not known.
+/// Bytes of the file that hold something; PostgreSQL: of the tables, with the room of removed rows. 0: not known.
 qint64 usedBytes(ArchiveDatabase &database);
+
+/// The rows of \a kind that end before a time, `chunk WHERE …`, found by an index. Its places: that time, for chunks twice;
+/// for rollups less stretchOf().
+QString expiredRows(ChunkKind kind);
 
 } // namespace gorizont

@@ -39,7 +39,7 @@ const Source &sourceOf(int table)
 
 } // namespace
 
-Salvage::Salvage(const QString &file, const ArchiveConfig &config, bool takesTail)
+Salvage::Salvage(const QString &file, const ArchiveConfig &config, const SalvageMark &from)
     : m_database(
         [&] {
             ArchiveConfig damaged = config;
@@ -47,9 +47,10 @@ Salvage::Salvage(const QString &file, const ArchiveConfig &config, bool takesTai
             return damaged;
         }(),
         ArchiveDatabase::Access::Salvage)
-    , m_takesTail(takesTail)
+    , m_from(from)
+    , m_position{from.table, from.last, 1, rowsAtATime}
+    , m_rescued(from.rescued)
 {
-    m_position.rows = rowsAtATime;
     for (const LineConfig &line : config.lines) {
         for (const SensorConfig &sensor : line.sensors) {
             m_offsets.insert(sensor.number, {sensor.offsetX, sensor.offsetY, sensor.offsetT});
@@ -60,10 +61,11 @@ Salvage::Salvage(const QString &file, const ArchiveConfig &config, bool takesTai
 Salvage::Outcome Salvage::step(ArchiveStore &store, RollupBook &rollups)
 {
     m_before = m_position;
+    m_rescuedBefore = m_rescued;
     if (!m_database.isOpen() && (!m_database.open() || !takeKnown())) {
         return Outcome::Done;
     }
-    if (m_position.table == TableCount || (m_position.table == TailTable && !m_takesTail)) {
+    if (m_position.table == TableCount || (m_position.table == TailTable && !m_from.takesTail)) {
         return Outcome::Done;
     }
     const Source &source = sourceOf(m_position.table);
@@ -88,6 +90,17 @@ Salvage::Outcome Salvage::step(ArchiveStore &store, RollupBook &rollups)
         m_position.rows = rowsAtATime;
     }
     return Outcome::MoreToDo;
+}
+
+void Salvage::undo()
+{
+    m_position = m_before;
+    m_rescued = m_rescuedBefore;
+}
+
+SalvageMark Salvage::mark() const
+{
+    return {m_from.copy, m_position.table, m_position.last, m_rescued, m_from.takesTail};
 }
 
 /// First row by row up to what cannot be read, then over it.

@@ -12,16 +12,16 @@ namespace gorizont {
 class Salvage
 {
 public:
-    /// \a takesTail: what is in no chunk is wanted too; not where the writer still has it.
-    Salvage(const QString &file, const ArchiveConfig &config, bool takesTail);
+    /// \a from: where it goes on. Its tail is not wanted where the writer still has it.
+    Salvage(const QString &file, const ArchiveConfig &config, const SalvageMark &from);
 
     enum class Outcome : quint8 { Failed, Done, MoreToDo };
     /// Within a transaction of \a store. Failed: that store could not be written; the same step is tried again.
     Outcome step(ArchiveStore &store, RollupBook &rollups);
     /// The last step was not committed.
-    void undo() { m_position = m_before; }
+    void undo();
 
-    qint64 rescued() const { return m_rescued; } ///< rows
+    SalvageMark mark() const; ///< after the last step
     QHash<int, UtcTime> knownFrom() const { return m_knownFrom; } ///< of the rows so far: N → the first reading
 
 private:
@@ -42,13 +42,14 @@ private:
     qint64 lastId();
 
     ArchiveDatabase m_database;
-    const bool m_takesTail;
+    const SalvageMark m_from;
     Position m_position;
     Position m_before; ///< the last step
     QHash<int, ValueOffsets> m_offsets; ///< by N
     QHash<int, KnownSensor> m_known; ///< of the damaged file
     QHash<int, UtcTime> m_knownFrom;
-    qint64 m_rescued = 0;
+    qint64 m_rescued = 0; ///< rows
+    qint64 m_rescuedBefore = 0;
 };
 
 } // namespace gorizont

@@ -65,7 +65,8 @@ bool SpoolFile::open()
         m_next = {entry->mark.spool, entry->mark.sequence + 1};
         end = entry->end;
     }
-    if (end < m_file.size() && !m_file.cut(end)) {
+    // What cannot be read may be whole: only a torn end is cut off.
+    if (m_isUnreadable || (end < m_file.size() && !m_file.cut(end))) {
         m_file.close();
         return fail(m_file.error());
     }
@@ -98,7 +99,8 @@ bool SpoolFile::append(QByteArrayView batch)
 std::optional<SpoolFile::Entry> SpoolFile::read(qint64 at)
 {
     bool hasDamage = false;
-    while (at >= 0 && at + headBytes <= m_file.size()) {
+    m_isUnreadable = false;
+    while (at >= 0 && !m_isUnreadable && at + headBytes <= m_file.size()) {
         if (auto entry = readAt(at)) {
             entry->hasDamageBefore = hasDamage;
             return entry;
@@ -112,7 +114,7 @@ std::optional<SpoolFile::Entry> SpoolFile::read(qint64 at)
 /// Empty: no whole record begins there.
 std::optional<SpoolFile::Entry> SpoolFile::readAt(qint64 at)
 {
-    const QByteArray head = m_file.read(at, headBytes);
+    const QByteArray head = bytesAt(at, headBytes);
     if (head.size() != headBytes || !head.startsWith(magic)) {
         return {};
     }
@@ -123,7 +125,7 @@ std::optional<SpoolFile::Entry> SpoolFile::readAt(qint64 at)
     Entry entry;
     entry.mark.spool = qFromLittleEndian<qint64>(head.constData() + 8);
     entry.mark.sequence = qFromLittleEndian<qint64>(head.constData() + 16);
-    entry.batch = m_file.read(at + headBytes, length);
+    entry.batch = bytesAt(at + headBytes, length);
     entry.end = at + headBytes + length;
     if (entry.batch.size() != length || qFromLittleEndian<quint32>(head.constData() + 24) != sumOf(head, entry.batch)) {
         return {};
@@ -136,12 +138,23 @@ qint64 SpoolFile::nextMagic(qint64 at)
 {
     constexpr qint64 window = 1 << 16;
     for (; at + magic.size() <= m_file.size(); at += window - magic.size() + 1) {
-        const QByteArray bytes = m_file.read(at, std::min(window, m_file.size() - at));
+        const QByteArray bytes = bytesAt(at, std::min(window, m_file.size() - at));
         if (const qsizetype found = bytes.indexOf(magic); found >= 0) {
             return at + found;
         }
     }
     return -1;
+}
+
+/// Shorter than \a count: the disk did not give them.
+QByteArray SpoolFile::bytesAt(qint64 at, qint64 count)
+{
+    const QByteArray bytes = m_file.read(at, count);
+    if (bytes.size() != count) {
+        m_isUnreadable = true;
+        m_error = m_file.error();
+    }
+    return bytes;
 }
 
 void SpoolFile::drop(qint64 end)

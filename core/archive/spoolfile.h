@@ -32,7 +32,7 @@ public:
 
     SpoolFile(const QString &path, qint64 mostBytes);
 
-    /// Finds what an earlier run left; a torn end is cut off. False: see error().
+    /// Finds what an earlier run left; a torn end is cut off. False: it cannot be opened or read, see error().
     bool open();
     bool isOpen() const { return m_file.isOpen(); }
 
@@ -45,8 +45,10 @@ public:
     bool append(QByteArrayView batch);
     bool isEmpty() const { return m_from >= m_file.size(); }
 
-    /// The first batch at or after \a at; empty: there is none.
+    /// The first batch at or after \a at; empty: there is none, or isUnreadable().
     std::optional<Entry> read(qint64 at);
+    /// The disk did not give what the last read() asked for; see error().
+    bool isUnreadable() const { return m_isUnreadable; }
     qint64 size() const { return m_file.size(); }
     qint64 from() const { return m_from; } ///< where the first batch that is needed begins
     /// Batches that end at or before \a end are needed no more.
@@ -58,6 +60,7 @@ public:
 private:
     std::optional<Entry> readAt(qint64 at);
     qint64 nextMagic(qint64 at);
+    QByteArray bytesAt(qint64 at, qint64 count);
     bool fail(const QString &reason);
 
     const QString m_path;
@@ -65,6 +68,7 @@ private:
     AppendFile m_file;
     SpoolMark m_next;
     qint64 m_from = 0;
+    bool m_isUnreadable = false;
     QString m_error;
 };
 

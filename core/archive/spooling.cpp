@@ -108,15 +108,23 @@ bool ArchiveRecorder::drainSome()
                 .arg(QDir::toNativeSeparators(m_spool->path())));
     }
     m_spool->drop(some.end);
-    return true;
+    if (some.isUnreadable) {
+        m_fault = ArchiveFault::Other;
+        m_error = tr("%1 cannot be read. Check that disk.").arg(m_spool->error());
+    }
+    return !some.isUnreadable;
 }
 
 /// A batch that begins a program is the first of a transaction: what came before it is known then.
 ArchiveRecorder::Spooled ArchiveRecorder::readSpool()
 {
-    Spooled some{{}, m_applied, m_spool->from(), false};
+    Spooled some{{}, m_applied, m_spool->from(), false, false};
     while (some.batches.size() < mostBatches && some.end - m_spool->from() < mostBytes) {
         const auto entry = m_spool->read(some.end);
+        if (!entry && m_spool->isUnreadable()) {
+            some.isUnreadable = true;
+            break;
+        }
         if (!entry) {
             some.hasDamage = some.hasDamage || some.end < m_spool->size();
             some.end = m_spool->size();

@@ -22,7 +22,7 @@ struct ArchiveSettings
     int keepSamples = 0; ///< KeepSamples: days of raw samples of accelerometers
     int keepRollups = 0; ///< KeepRollups: days of minutes, hours and days; at least KeepRaw
     int keepEvents = 0; ///< KeepEvents: days of events and gaps
-    int mostSize = 0; ///< MostSize: MB of the file; 0: any size
+    int mostSize = 0; ///< MostSize: MB of the file, only SQLite; 0: any size
 
     bool operator==(const ArchiveSettings &) const = default;
 };

@@ -25,6 +25,25 @@ void settleServer(SectionReader &section, ArchiveSettings &archive)
     }
 }
 
+/// A server does not give back the room of what is removed: nobody knows there when enough was.
+void settleSize(SectionReader &section, ArchiveSettings &archive)
+{
+    if (archive.mostSize > 0 && archive.driver == ArchiveDriver::PostgreSql) {
+        section.complain(
+            u"MostSize"_s, QCoreApplication::translate("ServerConfig", "Only an archive of QSQLITE has it."),
+            QCoreApplication::translate("ServerConfig", "It is ignored. KeepRaw and KeepSamples bound the archive."));
+        section.replace(u"MostSize"_s);
+        archive.mostSize = 0;
+    } else if (archive.mostSize > 0 && archive.mostSize < leastSize) {
+        section.complain(
+            u"MostSize"_s,
+            QCoreApplication::translate("ServerConfig", "An archive needs at least %1 MB.").arg(leastSize),
+            QCoreApplication::translate("ServerConfig", "That size is used."));
+        section.replace(u"MostSize"_s);
+        archive.mostSize = leastSize;
+    }
+}
+
 /// Rollups are what is left of readings that were removed.
 void settleRollups(SectionReader &section, ArchiveSettings &archive)
 {
@@ -60,15 +79,8 @@ ArchiveSettings readArchiveSettings(const IniFile &file, Findings &findings)
     section.take(u"KeepRollups"_s, archive.keepRollups, {0, mostDays});
     section.take(u"KeepEvents"_s, archive.keepEvents, {0, mostDays});
     section.take(u"MostSize"_s, archive.mostSize, {0});
-    if (archive.mostSize > 0 && archive.mostSize < leastSize) {
-        section.complain(
-            u"MostSize"_s,
-            QCoreApplication::translate("ServerConfig", "An archive needs at least %1 MB.").arg(leastSize),
-            QCoreApplication::translate("ServerConfig", "That size is used."));
-        section.replace(u"MostSize"_s);
-        archive.mostSize = leastSize;
-    }
     settleServer(section, archive);
+    settleSize(section, archive);
     settleRollups(section, archive);
     return archive;
 }

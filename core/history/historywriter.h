@@ -4,6 +4,7 @@
 #include "core/history/historyconfig.h"
 #include "core/history/historyfiles.h"
 #include "core/history/historyinbox.h"
+#include "core/values/clockwatch.h"
 
 #include <QObject>
 #include <QTimer>

@@ -75,6 +75,7 @@ class Metrics(unittest.TestCase):
         tilt = self.value(values, "gorizont_sensor_tilt_arcseconds", sensor="4", axis="x")
         self.assertLess(min(abs(tilt - r["tiltX"]) for r in printed[-50:] if "tiltX" in r), 5)
         self.assertEqual(self.value(values, "gorizont_mqtt_connected"), 0)
+        self.assertLess(self.value(values, "gorizont_archive_waiting_readings"), 1000)
         self.assertEqual(self.value(values, "gorizont_server_clients", server="Modbus TCP"), 0)
         client = ModbusClient(self.modbus_port)
         read_tilt(client, 8)

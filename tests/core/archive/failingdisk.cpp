@@ -79,6 +79,11 @@ ssize_t write(int descriptor, const void *bytes, size_t count)
     return fails(DiskCall::Write, descriptor) ? -1 : ::syscall(SYS_write, descriptor, bytes, count);
 }
 
+ssize_t read(int descriptor, void *bytes, size_t count)
+{
+    return fails(DiskCall::Read, descriptor) ? -1 : ::syscall(SYS_read, descriptor, bytes, count);
+}
+
 int fdatasync(int descriptor)
 {
     return fails(DiskCall::Sync, descriptor) ? -1 : 0;

@@ -4,7 +4,7 @@
 
 namespace gorizont::test {
 
-enum class DiskCall : quint8 { Write, Sync, Open, Truncate, Rename };
+enum class DiskCall : quint8 { Write, Sync, Open, Truncate, Rename, Read };
 
 /// From here on the \a nth call of that kind (1…) for a file of an archive or its spool fails, once, as if the disk were full or
 /// broken; 0: none. Ends with the object. It stands in for the C library in the program that lists failingdisk.cpp among

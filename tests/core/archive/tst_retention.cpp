@@ -43,6 +43,7 @@ void TestRetention::init()
 void TestRetention::fill(int chunks, qsizetype bytes)
 {
     QVERIFY(m_store->database().begin());
+    QVERIFY(m_store->putSensor(1, {noon, noon + chunks * 1h, 0, 0}));
     for (int i = 0; i < chunks; ++i) {
         const TimeSpan span{noon + i * 1h, noon + (i + 1) * 1h};
         const QByteArray data(bytes, 'x');

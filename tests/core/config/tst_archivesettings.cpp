@@ -33,7 +33,7 @@ void TestArchiveSettings::readsEveryKey()
     const ConfigReading reading =
         read("[Common]\n[Archive]\nOn=0\nDriver=qpsql\nFile=a/b.sqlite\nHost=db\nPort=5433\nDatabase=towers\nUser=u\n"
              "PasswordFile=secret\nSite=tower "
-             "1\nKeepRaw=400\nKeepSamples=30\nKeepRollups=4000\nKeepEvents=800\nMostSize=500\n");
+             "1\nKeepRaw=400\nKeepSamples=30\nKeepRollups=4000\nKeepEvents=800\n");
     QCOMPARE(complaintTexts(reading), QStringList());
     const ArchiveSettings expected{
         false,
@@ -49,8 +49,9 @@ void TestArchiveSettings::readsEveryKey()
         30,
         4000,
         800,
-        500};
+        0};
     QVERIFY(reading.config.archive == expected);
+    QCOMPARE(read("[Common]\n[Archive]\nMostSize=500\n").config.archive.mostSize, 500);
 }
 
 void TestArchiveSettings::complainsOfEveryMistake_data()
@@ -64,6 +65,8 @@ void TestArchiveSettings::complainsOfEveryMistake_data()
     row("Driver=QPSQL", u"Driver, line 3: QPSQL needs Host and Database. The archive is a file, as with QSQLITE."_s);
     row("KeepRaw=-1", u"KeepRaw, line 3: “-1” is outside 0…36525. The default 0 is used."_s);
     row("MostSize=1", u"MostSize, line 3: An archive needs at least 16 MB. That size is used."_s);
+    row("Driver=QPSQL\nHost=db\nDatabase=towers\nMostSize=500",
+        u"MostSize, line 6: Only an archive of QSQLITE has it. It is ignored. KeepRaw and KeepSamples bound the archive."_s);
     const QString outlive =
         u"KeepRollups, line %1: Rollups cannot be removed before the readings of KeepRaw. They are kept as long as those."_s;
     row("KeepRollups=100", outlive.arg(3));

@@ -1,6 +1,7 @@
 #include "core/history/cadence.h"
 #include "core/history/historyformat.h"
 #include "core/history/writehealth.h"
+#include "core/values/clockwatch.h"
 #include "tests/core/history/historysupport.h"
 
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "core/history/cadence.h"
+#include "core/values/clockwatch.h"
 
 namespace gorizont {
 
