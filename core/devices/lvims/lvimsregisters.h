@@ -53,6 +53,8 @@ constexpr quint16 channelStateSize = 88; ///< registers of CHST
 constexpr quint16 settingsSize = 7456; ///< registers of SET
 
 // clang-format off
+namespace table {
+
 using enum RegisterType;
 using enum Access;
 
@@ -149,7 +151,14 @@ inline constexpr std::array filterRegisters{
     Register{"IIR_FC_L", 1, U16, 1, ReadWrite, "0.1 Hz", "cut-off frequency, low part"},
     Register{"IIR_FC_H", 2, U16, 1, ReadWrite, "6553.6 Hz", "cut-off frequency, high part"},
 };
+
+} // namespace table
 // clang-format on
+
+using table::channelRegisters;
+using table::filterRegisters;
+using table::moduleRegisters;
+using table::settingRegisters;
 
 namespace detail {
 
