@@ -1,3 +1,4 @@
+#include "core/devices/lvims/lvimsfiles.h"
 #include "core/devices/lvims/lvimsservice.h"
 #include "tests/core/devices/lvimsbench.h"
 #include "tests/support/fakeline.h"
@@ -122,6 +123,43 @@ private Q_SLOTS:
         QCOMPARE(set->ipAddress(settingRegister("IP_ADDR")), u"192.168.1.10"_s);
         QCOMPARE(int(set->word(settingRegister("WF_ACQ_TIME"))), 500);
         QCOMPARE(set->real(settingRegister("CH_SENSOR_K"), 3), 100.0f);
+    }
+
+    void restoresSettings()
+    {
+        Bench bench;
+        auto set = bench.service.settings(bench.line, moduleRegister("CUR_SETTINGS"));
+        QVERIFY(set);
+        QList<quint16> wanted = set->values();
+        wanted[114] = 4000;
+        QVERIFY(bench.service.restoreSettings(bench.line, wanted, false));
+        QCOMPARE(int(bench.line.module().peek(45056 + 114)), 4000);
+        bench.line.module().restart(bench.line.elapsed());
+        QCOMPARE(int(bench.line.module().peek(45056 + 114)), 500); // not in flash
+        QVERIFY(bench.service.restoreSettings(bench.line, wanted, true));
+        bench.line.module().restart(bench.line.elapsed());
+        QCOMPARE(int(bench.line.module().peek(45056 + 114)), 4000);
+
+        wanted[114] = 4001;
+        QCOMPARE(bench.service.restoreSettings(bench.line, wanted, true).fault(), Fault::Refused);
+        QVERIFY(bench.service.errors().second != 0);
+        QCOMPARE(int(bench.line.module().peek(45056 + 114)), 4000);
+        QCOMPARE(bench.service.restoreSettings(bench.line, wanted.mid(1), false).fault(), Fault::Refused);
+    }
+
+    void files()
+    {
+        CaptureInformation information;
+        information.rate = 4;
+        information.physicalK = 0.5;
+        information.physicalB = 1;
+        information.windowSum = 2;
+        QCOMPARE(waveformCsv(information, {-4, 2}), QByteArray("time,code,value\n0,-4,-1\n0.25,2,2\n"));
+        QCOMPARE(spectrumCsv(information, {10, 0, 3, -4}), QByteArray("frequency,amplitude\n0,2.5\n1,2.5\n"));
+        QCOMPARE(
+            waveformWav(information, {-4, 2}),
+            QByteArray("RIFF") + hex("2C 00 00 00") + "WAVEfmt " + hex("10 00 00 00 03 00 01 00 04 00 00 00")
+                + hex("10 00 00 00 04 00 20 00") + "data" + hex("08 00 00 00 00 00 00 BF 00 00 80 3F"));
     }
 
     /// 500 ms of 100 Hz, 500 mm/s²: 50 periods; the offset of the module is 0.25 mm/s².
