@@ -29,7 +29,9 @@ ROOMS = {
     "core/mqtt": ["core/values", "core/files", "core/config", "core/registry"],
     "core/metrics": ["core/values", "core/config", "core/registry"],
     "core/export": ["core/values"],
-    "core/simulation": ["core/values", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h"],
+    "core/simulation": [
+        "core/values", "core/protocol/mbap.h", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h",
+    ],
     "translations": [],
     "ui/plots": [
         "ui", "core/values", "core/config", "core/registry", "core/analysis", "core/history/historysource.h",

@@ -1,6 +1,7 @@
 #include "app/configfile.h"
 #include "app/ptyport.h"
 #include "app/unixsignals.h"
+#include "core/simulation/simulatedtcpport.h"
 #include "translations/translation.h"
 
 #include <QCommandLineParser>
@@ -30,7 +31,8 @@ int complain(const QString &text)
 void addOptions(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(
-        Text::tr("Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn.\n\n"
+        Text::tr("Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn, a port with "
+                 "Device=tcp://127.0.0.1:port listens there.\n\n"
                  "Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:\n"
                  "  silent=N     the sensor with site number N does not answer\n"
                  "  crc=P        P % of the answers have a wrong byte\n"
@@ -65,7 +67,7 @@ std::optional<FaultPlan> parseFaults(const QStringList &texts, QString *wrong)
     return plan;
 }
 
-void planDisappearances(const FaultPlan &plan, const LineConfig &line, PtyPort *port)
+template <typename Port> void planDisappearances(const FaultPlan &plan, const LineConfig &line, Port *port)
 {
     for (const SimulatedFault &fault : plan) {
         if (fault.kind != SimulatedFault::Kind::Gone || static_cast<int>(fault.value) != line.com) {
@@ -110,7 +112,16 @@ int main(int argc, char **argv)
     QObject::connect(&signals_, &UnixSignals::terminated, &application, &QCoreApplication::quit);
     const SimulatedBus::Options options{parser.value(QStringLiteral("seed")).toULongLong(), *faults};
     std::vector<std::unique_ptr<PtyPort>> ports;
+    std::vector<std::unique_ptr<SimulatedTcpPort>> sockets;
     for (const LineConfig &line : reading->config.lines) {
+        if (SimulatedTcpPort::isOwn(line.device)) {
+            sockets.push_back(std::make_unique<SimulatedTcpPort>(line, options));
+            if (!sockets.back()->plug()) {
+                return complain(QStringLiteral("%1: %2").arg(line.device, sockets.back()->errorString()));
+            }
+            planDisappearances(*faults, line, sockets.back().get());
+            std::printf("%s: %zu sensors\n", qPrintable(line.device), sockets.back()->bus().devices().size());
+        }
         if (!line.device.isEmpty()) {
             continue;
         }

@@ -6,6 +6,7 @@
 #include "app/tool/session.h"
 #include "app/tool/terminal.h"
 #include "app/tool/text.h"
+#include "app/tool/vimsprogram.h"
 #include "core/line/openline.h"
 #include "translations/translation.h"
 
@@ -62,6 +63,9 @@ int main(int argc, char **argv)
     }
     if (arguments.value(1) == u"export") {
         return runExportProgram(arguments.mid(2));
+    }
+    if (arguments.value(1) == u"vims") {
+        return runVims(arguments.mid(2));
     }
     const auto parsed = parseOptions(arguments);
     if (const auto *words = std::get_if<LastWords>(&parsed)) {

@@ -4,6 +4,8 @@
 #include "core/devices/and3/and3simulator.h"
 #include "core/devices/ind3/ind3driver.h"
 #include "core/devices/ind3/ind3simulator.h"
+#include "core/devices/lvims/lvimsdriver.h"
+#include "core/devices/lvims/lvimssimulator.h"
 #include "core/devices/usmisn/usmisndriver.h"
 #include "core/devices/usmisn/usmisnsimulator.h"
 
@@ -21,10 +23,11 @@ struct Entry
     std::unique_ptr<SimulatedDevice> (*makeSimulator)(const SensorConfig &, quint64 seed);
 };
 
-constexpr std::array<Entry, 3> catalog{{
+constexpr std::array<Entry, 4> catalog{{
     {SensorType::InD, ind3::makeDriver, ind3::makeSimulator},
     {SensorType::AnD3, and3::makeDriver, and3::makeSimulator},
     {SensorType::UsmIsn, usmisn::makeDriver, usmisn::makeSimulator},
+    {SensorType::LVims, lvims::makeDriver, lvims::makeSimulator},
 }};
 
 const Entry *find(SensorType type)

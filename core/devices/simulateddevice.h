@@ -41,6 +41,9 @@ public:
     /// The controller restarts (fault `reboot`).
     virtual void reboot(Time now) = 0;
 
+    /// Whether it has cut the connections to it since the last call; only a device on a network does, when it restarts.
+    virtual bool takeDisconnect() { return false; }
+
     /// Every sample kept so far is overwritten before it could be read (fault `overrun`); nothing for devices without a
     /// ring.
     virtual void overrunRing(Time) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/values/timing.h"
+#include "core/values/vibration.h"
 
 #include <QFlags>
 #include <QList>
@@ -91,6 +92,7 @@ struct Measurement
     std::optional<quint16> rawStatus; ///< the device's own word
     std::optional<quint16> rawMode; ///< the device's own word
     std::optional<RingProgress> ring;
+    std::optional<Vibration> vibration;
     Conditions conditions;
     bool operator==(const Measurement &) const = default;
 };
@@ -105,7 +107,8 @@ struct SensorCounters
 
 /// The state of one sensor after a turn or after a change of its line. Values are the last known ones, corrected by the
 /// sensor's offsets and axes (spec/gorizont.md, section 2); the status word says which of them are valid now.
-/// No member owns memory, so that thousands of readings a second are copied for little.
+/// No member owns memory but the lists of a vibration module, which copies share, so that thousands of readings a second are
+/// copied for little.
 struct Reading
 {
     int number = 0; ///< N, the sensor
@@ -124,6 +127,7 @@ struct Reading
     std::optional<quint16> rawStatus;
     std::optional<quint16> rawMode;
     std::optional<RingProgress> ring;
+    std::optional<Vibration> vibration; ///< of a vibration module
 
     SensorCounters counters;
     std::chrono::microseconds period{0}; ///< between the last two turns; 0: fewer than two so far

@@ -1,6 +1,7 @@
 #include "core/values/readingjson.h"
 
 #include "core/values/statusword.h"
+#include "core/values/vibrationjson.h"
 
 #include <QDateTime>
 #include <QJsonDocument>
@@ -45,6 +46,9 @@ void insertValues(QJsonObject &object, const Reading &reading)
     }
     if (reading.rawStatus) {
         object.insert(QStringLiteral("rawStatus"), *reading.rawStatus);
+    }
+    if (reading.vibration) {
+        insertVibration(object, *reading.vibration);
     }
 }
 

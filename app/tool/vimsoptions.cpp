@@ -1,0 +1,155 @@
+#include "app/tool/vimsoptions.h"
+
+#include "app/tool/text.h"
+
+#include <QCommandLineParser>
+#include <QUrl>
+
+namespace gorizont::tool {
+
+using Qt::Literals::StringLiterals::operator""_s;
+
+namespace {
+
+constexpr int defaultTimeout = 1000; ///< ms: a network is no shared line, nobody waits behind
+
+QString jsonKeys()
+{
+    return Text::tr(
+        "JSON, one object a line; what is not known is null:\n"
+        "  every one   type (L-VIMS), device\n"
+        "  info        name, serial, firmware, board, mode (1 boot loader, 2 at work), writeError, settingsError\n"
+        "  state       channels: channel (0…3), state (0 good, 1 short circuit, 2 break, 65535 no data), "
+        "measurements:\n"
+        "              index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded; relays:\n"
+        "              index, logical, physical, error, enabled\n"
+        "  waveform    channel, id, samples, rate (Hz), disturbances, file\n"
+        "  spectrum    channel, spectrum (5000, 200), bins, rate (Hz), disturbances, peakFrequency (Hz),\n"
+        "              peakAmplitude, file\n"
+        "  settings    setting (settings), done, file; load: writeError, settingsError\n"
+        "  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled");
+}
+
+/// Leaves \a value alone if \a option is not there. What is wrong, as a sentence; empty: nothing.
+template <typename T>
+QString readNumber(const QCommandLineParser &parser, const QString &option, int least, int most, T &value)
+{
+    if (!parser.isSet(option)) {
+        return {};
+    }
+    bool isNumber = false;
+    const int number = parser.value(option).toInt(&isNumber);
+    if (!isNumber || number < least || number > most) {
+        return Text::tr("--%1 takes %2, not \"%3\"").arg(option, u"%1…%2"_s.arg(least).arg(most), parser.value(option));
+    }
+    value = T(number);
+    return {};
+}
+
+QString readCommand(const QCommandLineParser &parser, VimsOptions &options)
+{
+    const QStringList words = parser.positionalArguments();
+    const QStringList names{u"info"_s, u"state"_s, u"waveform"_s, u"spectrum"_s, u"settings"_s};
+    const qsizetype at = words.size() == 1 ? names.indexOf(words.constFirst()) : -1;
+    if (at < 0) {
+        return Text::tr("vims takes one of %1; see gorizont-tool vims --help").arg(names.join(u", "_s));
+    }
+    options.command = static_cast<VimsOptions::Command>(at);
+    return {};
+}
+
+/// host, host:port, or tcp:// before either; the port of Modbus if there is none.
+QString readDevice(const QCommandLineParser &parser, VimsOptions &options)
+{
+    constexpr int modbusPort = 502;
+    const QString text = parser.value(u"device"_s);
+    const QUrl url(text.contains(u"://"_s) ? text : u"tcp://"_s + text);
+    if (url.scheme() != u"tcp" || url.host().isEmpty() || url.port(modbusPort) < 1) {
+        return Text::tr("--device takes tcp://host:port, not \"%1\"").arg(text);
+    }
+    options.line.device = u"tcp://%1:%2"_s.arg(url.host()).arg(url.port(modbusPort));
+    return {};
+}
+
+QString readKind(const QCommandLineParser &parser, VimsOptions &options)
+{
+    using Kind = lvims::Capture::Kind;
+    if (options.command != VimsOptions::Command::Spectrum) {
+        return {};
+    }
+    const QString type = parser.isSet(u"type"_s) ? parser.value(u"type"_s) : u"5000"_s;
+    options.kind = type == u"200" ? Kind::Spectrum200 : Kind::Spectrum5000;
+    return type == u"200" || type == u"5000" ? QString() : Text::tr("--type takes 5000 or 200, not \"%1\"").arg(type);
+}
+
+QString readFiles(const QCommandLineParser &parser, VimsOptions &options)
+{
+    options.out = parser.value(u"out"_s);
+    options.saveTo = parser.value(u"save"_s);
+    options.loadFrom = parser.value(u"load"_s);
+    const bool isOne = options.saveTo.isEmpty() != options.loadFrom.isEmpty();
+    return options.command == VimsOptions::Command::Settings && !isOne
+        ? Text::tr("vims settings takes --save FILE or --load FILE")
+        : QString();
+}
+
+} // namespace
+
+void describeVims(QCommandLineParser &parser)
+{
+    parser.setApplicationDescription(
+        Text::tr("Reads an L-VIMS vibration module over the network; others may read it meanwhile.") + u"\n\n"_s
+        + Text::tr("info       prints what the module is\n"
+                   "state      prints what it measures, and its relays\n"
+                   "waveform   lets it keep a waveform, fetches it and writes it to --out\n"
+                   "spectrum   the same for its spectrum up to 5000 Hz or 200 Hz\n"
+                   "settings   writes its settings to a file, or a file to its settings")
+        + u"\n\n"_s
+        + Text::tr("A .csv has the columns time (s), code and value, or frequency (Hz) and amplitude. A .wav is scaled "
+                   "so that its largest value is 1.")
+        + u"\n\n"_s
+        + Text::tr("Exit codes: 0 done; 1 refused by the module or by the user; 2 the command line is wrong; 3 no "
+                   "answer, or no connection.")
+        + u"\n\n"_s + jsonKeys());
+    parser.addPositionalArgument(u"command"_s, Text::tr("One of the commands above."), u"COMMAND"_s);
+    parser.addOptions({
+        {u"device"_s, Text::tr("The module; port 502 if none is given."), u"tcp://host:port"_s},
+        {QStringList{u"unit"_s, u"address"_s}, Text::tr("Unit of Modbus; 1 if not given."), u"N"_s},
+        {u"timeout"_s, Text::tr("How long one answer is waited for; %1 if not given.").arg(defaultTimeout), u"MS"_s},
+        {u"channel"_s, Text::tr("waveform, spectrum: 0…3; 0 if not given."), u"N"_s},
+        {u"type"_s, Text::tr("spectrum: up to 5000 (if not given) or 200 Hz."), u"5000|200"_s},
+        {u"out"_s, Text::tr("waveform, spectrum: the file, .csv or, of a waveform, .wav."), u"FILE"_s},
+        {u"save"_s, Text::tr("settings: writes them to this file."), u"FILE"_s},
+        {u"load"_s, Text::tr("settings: writes this file to the module and lets it use them."), u"FILE"_s},
+        {u"flash"_s, Text::tr("settings --load: keeps them for the next start of the module too.")},
+        {u"yes"_s, Text::tr("Writes without asking.")},
+        {u"json"_s, Text::tr("Prints JSON.")},
+        {u"lang"_s, Text::tr("Language of the program."), u"ru|en"_s},
+        {u"help"_s, Text::tr("Prints this.")},
+    });
+}
+
+std::variant<VimsOptions, QString> vimsOptions(const QCommandLineParser &parser)
+{
+    VimsOptions options;
+    int timeout = defaultTimeout;
+    QStringList problems{
+        readCommand(parser, options),
+        readDevice(parser, options),
+        readNumber(parser, u"unit"_s, 0, 255, options.address.unit),
+        readNumber(parser, u"timeout"_s, 1, 60'000, timeout),
+        readNumber(parser, u"channel"_s, 0, lvims::channelCount - 1, options.channel),
+        readKind(parser, options),
+        readFiles(parser, options)};
+    options.timing.readCommand = std::chrono::milliseconds(timeout);
+    options.toFlash = parser.isSet(u"flash"_s);
+    options.isYes = parser.isSet(u"yes"_s);
+    options.isJson = parser.isSet(u"json"_s);
+    problems.removeAll(QString());
+    if (!problems.isEmpty()) {
+        return problems.constFirst();
+    }
+    return options;
+}
+
+} // namespace gorizont::tool

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/tool/command.h"
+#include "core/devices/lvims/lvimsservice.h"
+#include "core/values/lineconfig.h"
+
+#include <variant>
+
+class QCommandLineParser;
+
+namespace gorizont::tool {
+
+/// The command line of `gorizont-tool vims`. Everything in it is within its range.
+struct VimsOptions
+{
+    enum class Command : quint8 { Info, State, Waveform, Spectrum, Settings };
+
+    Command command = Command::Info;
+    LineConfig line; ///< --device
+    lvims::Address address; ///< --unit
+    Timing timing; ///< --timeout
+    int channel = 0; ///< 0…3
+    lvims::Capture::Kind kind = lvims::Capture::Kind::Waveform; ///< of waveform and spectrum
+    QString out; ///< of waveform and spectrum; empty: nothing is written
+    QString saveTo; ///< of settings; one of the two is given
+    QString loadFrom;
+    bool toFlash = false; ///< of settings --load
+    bool isYes = false; ///< writes without asking
+    bool isJson = false;
+};
+
+void describeVims(QCommandLineParser &parser);
+
+/// What is wrong as a sentence, or the options.
+std::variant<VimsOptions, QString> vimsOptions(const QCommandLineParser &parser);
+
+} // namespace gorizont::tool

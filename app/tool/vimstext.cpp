@@ -1,0 +1,203 @@
+#include "app/tool/vimstext.h"
+
+#include "app/tool/output.h"
+#include "app/tool/session.h"
+#include "app/tool/text.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace gorizont::tool {
+
+using Qt::Literals::StringLiterals::operator""_s;
+
+namespace {
+
+using namespace lvims;
+
+constexpr int decimals = 4;
+
+QString stateText(ChannelState state)
+{
+    switch (state) {
+    case ChannelState::Good: return Text::tr("good");
+    case ChannelState::ShortCircuit: return Text::tr("the line of the sensor is shorted");
+    case ChannelState::Break: return Text::tr("the line of the sensor is broken");
+    case ChannelState::NoData: return Text::tr("no data");
+    }
+    return Text::tr("state %1").arg(static_cast<int>(state));
+}
+
+QString numberText(const std::optional<double> &value, int places)
+{
+    return value ? fixed(*value, places) : none;
+}
+
+/// What of fault, warning and stop is raised; empty: nothing.
+QString raised(const VibrationMeasurement &measurement)
+{
+    QStringList words;
+    const auto add = [&words](const std::optional<bool> &flag, const QString &word) {
+        if (flag.value_or(false)) {
+            words.append(word);
+        }
+    };
+    add(measurement.fault, Text::tr("fault"));
+    add(measurement.warning, Text::tr("warning"));
+    add(measurement.stop, Text::tr("stop"));
+    if (measurement.isBaselineExceeded) {
+        words.append(Text::tr("far from its usual value"));
+    }
+    return words.join(u", "_s);
+}
+
+QString lineOf(const VibrationMeasurement &measurement)
+{
+    const MeasurementKind *kind = kindOf(measurement.type);
+    const QString name = kind ? QCoreApplication::translate("LVims", kind->name) : QString();
+    const QString unit = kind ? QString::fromUtf8(kind->unit) : QString();
+    QStringList parts{
+        u"  %1: %2 %3"_s.arg(measurement.index).arg(measurement.type).arg(name),
+        numberText(measurement.value, decimals) + u' ' + unit};
+    if (const QString words = raised(measurement); !words.isEmpty()) {
+        parts.append(words);
+    }
+    return parts.join(u"; "_s);
+}
+
+SpectrumBin highestOf(const Capture &capture)
+{
+    const auto bins = spectrumOf(capture.information(), capture.codes());
+    const auto highest = std::max_element(bins.begin(), bins.end(), [](const SpectrumBin &a, const SpectrumBin &b) {
+        return a.amplitude < b.amplitude;
+    });
+    return highest == bins.end() ? SpectrumBin() : *highest;
+}
+
+} // namespace
+
+QString textOf(const Identity &identity)
+{
+    const QString mode = identity.mode == bootLoaderMode ? Text::tr("boot loader")
+        : identity.mode == workingMode                   ? Text::tr("at work")
+                                                         : QString::number(identity.mode);
+    return Text::tr("%1, serial number %2, program %3, board %4, %5")
+        .arg(identity.name, identity.serial, identity.firmware, identity.board, mode);
+}
+
+QString textOf(const Vibration &vibration)
+{
+    QStringList lines;
+    for (const VibrationChannel &channel : vibration.channels) {
+        lines.append(Text::tr("channel %1: %2").arg(channel.channel).arg(stateText(channel.state)));
+        for (const VibrationMeasurement &measurement : channel.measurements) {
+            lines.append(lineOf(measurement));
+        }
+    }
+    for (const Relay &relay : vibration.relays) {
+        if (relay.isEnabled || relay.isLogical || relay.isPhysical || relay.hasError) {
+            lines.append(Text::tr("relay %1: logical %2, physical %3, error %4, enabled %5")
+                             .arg(relay.index)
+                             .arg(int(relay.isLogical))
+                             .arg(int(relay.isPhysical))
+                             .arg(int(relay.hasError))
+                             .arg(int(relay.isEnabled)));
+        }
+    }
+    return lines.join(u'\n');
+}
+
+QString textOf(const Capture &capture, Capture::Kind kind)
+{
+    const CaptureInformation &information = capture.information();
+    if (kind == Capture::Kind::Waveform) {
+        return Text::tr("channel %1: %2 samples, %3 Hz")
+            .arg(information.channel)
+            .arg(information.size)
+            .arg(fixed(information.rate, 1));
+    }
+    const SpectrumBin highest = highestOf(capture);
+    return Text::tr("channel %1: %2 bins, highest %3 at %4 Hz")
+        .arg(information.channel)
+        .arg(information.size / 2)
+        .arg(fixed(highest.amplitude, decimals), fixed(highest.frequency, 3));
+}
+
+QString textOf(const std::pair<quint16, quint32> &errors, Fault fault)
+{
+    return errors.first == 0 && errors.second == 0
+        ? faultText(fault)
+        : Text::tr("the module refuses the settings (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); it keeps those it "
+                   "had")
+              .arg(errors.first)
+              .arg(errors.second);
+}
+
+void insertIdentity(QJsonObject &object, const Identity &identity)
+{
+    object.insert(u"name"_s, identity.name);
+    object.insert(u"serial"_s, identity.serial);
+    object.insert(u"firmware"_s, identity.firmware);
+    object.insert(u"board"_s, identity.board);
+    object.insert(u"mode"_s, identity.mode);
+    insertErrors(object, {identity.writeError, identity.settingsError});
+}
+
+void insertCapture(QJsonObject &object, const Capture &capture, Capture::Kind kind)
+{
+    const CaptureInformation &information = capture.information();
+    object.insert(u"channel"_s, information.channel);
+    object.insert(u"rate"_s, information.rate);
+    object.insert(u"disturbances"_s, capture.disturbances());
+    if (kind == Capture::Kind::Waveform) {
+        object.insert(u"id"_s, information.id);
+        object.insert(u"samples"_s, qint64(information.size));
+        return;
+    }
+    const SpectrumBin highest = highestOf(capture);
+    object.insert(u"spectrum"_s, kind == Capture::Kind::Spectrum200 ? 200 : 5000);
+    object.insert(u"bins"_s, qint64(information.size / 2));
+    object.insert(u"peakFrequency"_s, highest.frequency);
+    object.insert(u"peakAmplitude"_s, highest.amplitude);
+}
+
+void insertErrors(QJsonObject &object, const std::pair<quint16, quint32> &errors)
+{
+    object.insert(u"writeError"_s, errors.first);
+    object.insert(u"settingsError"_s, qint64(errors.second));
+}
+
+QByteArray settingsFile(const Identity &identity, const QList<quint16> &values)
+{
+    QJsonObject object{{u"type"_s, u"L-VIMS"_s}};
+    insertIdentity(object, identity);
+    QJsonArray registers;
+    for (const quint16 value : values) {
+        registers.append(value);
+    }
+    object.insert(u"registers"_s, registers);
+    return QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
+}
+
+std::optional<QList<quint16>> settingsIn(const QByteArray &bytes)
+{
+    const QJsonObject object = QJsonDocument::fromJson(bytes).object();
+    const QJsonArray registers = object.value(u"registers"_s).toArray();
+    if (object.value(u"type"_s).toString() != u"L-VIMS" || registers.size() != settingsSize) {
+        return std::nullopt;
+    }
+    QList<quint16> values;
+    for (const QJsonValue &value : registers) {
+        const int number = value.toInt(-1);
+        if (number < 0 || number > 65535) {
+            return std::nullopt;
+        }
+        values.append(static_cast<quint16>(number));
+    }
+    return values;
+}
+
+} // namespace gorizont::tool
