@@ -4,9 +4,9 @@
 
 namespace gorizont {
 
-HistorySource archiveSource(ArchiveReader &archive)
+ArchiveSource archiveSource(ArchiveReader &archive)
 {
-    HistorySource source;
+    ArchiveSource source;
     source.gaps = [&archive](const QList<int> &numbers, UtcTime from, UtcTime to) {
         return archive.gaps(numbers, from, to);
     };

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/export/historysource.h"
+#include "core/values/archivesource.h"
 
 namespace gorizont {
 
 class ArchiveReader;
 
 /// What pages and exports ask, answered by \a archive, which outlives the source.
-HistorySource archiveSource(ArchiveReader &archive);
+ArchiveSource archiveSource(ArchiveReader &archive);
 
 } // namespace gorizont

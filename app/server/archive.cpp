@@ -46,6 +46,12 @@ std::function<void(const DeviceRecords &)> Archive::recordSink()
     return [writer = m_writer.get()](const DeviceRecords &records) { writer->appendRecords(records); };
 }
 
+void Archive::stop()
+{
+    m_reader.stop();
+    m_thread.quit();
+}
+
 void Archive::start()
 {
     if (m_writer) {

@@ -38,9 +38,9 @@ public:
     std::function<void(const DeviceRecords &)> recordSink();
 
     void start();
-    void stop() { m_thread.quit(); }
-    /// After stop(). False: the writer did not end in time.
-    bool wait(const QDeadlineTimer &deadline) { return m_thread.wait(deadline); }
+    void stop();
+    /// After stop(). False: the writer or the reader did not end in time.
+    bool wait(const QDeadlineTimer &deadline) { return m_thread.wait(deadline) && m_reader.wait(deadline); }
 
 private:
     void makeWriter(const ArchiveConfig &config, const Site &site);

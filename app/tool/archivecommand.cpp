@@ -2,6 +2,7 @@
 
 #include "app/tool/importcommand.h"
 #include "app/tool/output.h"
+#include "app/tool/subprogram.h"
 #include "app/tool/text.h"
 #include "core/archive/inspection.h"
 
@@ -97,21 +98,17 @@ ExitCode runArchive(const QStringList &arguments)
 {
     QCommandLineParser parser;
     describe(parser);
-    const bool isParsed = parser.parse(QStringList{u"gorizont-tool archive"_s} + arguments);
-    if (isParsed && parser.isSet(u"help"_s)) {
-        print(parser.helpText().trimmed());
-        return ExitGood;
+    if (const auto ended = parseSubprogram(parser, u"archive"_s, arguments)) {
+        return *ended;
     }
     const QStringList words = parser.positionalArguments();
     const QString command = words.value(0);
     const bool isBackup = command == u"backup" && words.size() == 2;
     const bool isImport = command == u"import-history" && words.size() == 2;
     const bool isReport = (command == u"check" || command == u"stat") && words.size() == 1;
-    if (!isParsed || (!isBackup && !isReport && !isImport)) {
-        complain(
-            isParsed ? Text::tr(
-                "archive takes check, stat, backup TARGET or import-history DIR; see gorizont-tool archive --help")
-                     : parser.errorText());
+    if (!isBackup && !isReport && !isImport) {
+        complain(Text::tr(
+            "archive takes check, stat, backup TARGET or import-history DIR; see gorizont-tool archive --help"));
         return ExitUsage;
     }
     if (isImport) {

@@ -48,7 +48,7 @@ private:
 
 } // namespace
 
-ExitCode exportHistory(const ExportRequest &request, const HistorySource &source, bool isJson)
+ExitCode exportHistory(const ExportRequest &request, const ArchiveSource &source, bool isJson)
 {
     ExportWatch watch;
     const ExportInterruption interruption(watch);

@@ -5,6 +5,7 @@
 #include "app/tool/exportcommand.h"
 #include "app/tool/exportoptions.h"
 #include "app/tool/output.h"
+#include "app/tool/subprogram.h"
 #include "app/tool/text.h"
 #include "core/archive/archivereader.h"
 
@@ -53,13 +54,8 @@ ExitCode runExportProgram(const QStringList &arguments)
 {
     QCommandLineParser parser;
     describe(parser);
-    const bool isParsed = parser.parse(QStringList{u"gorizont-tool export"_s} + arguments);
-    if (isParsed && parser.isSet(u"help"_s)) {
-        print(parser.helpText().trimmed());
-        return ExitGood;
-    }
-    if (!isParsed) {
-        return usageError(parser.errorText());
+    if (const auto ended = parseSubprogram(parser, u"export"_s, arguments)) {
+        return *ended;
     }
     const QString configFile = parser.isSet(u"config"_s) ? parser.value(u"config"_s) : u"GorizontServer.ini"_s;
     QString why;

@@ -3,6 +3,7 @@
 #include "app/tool/interruption.h"
 #include "app/tool/output.h"
 #include "app/tool/session.h"
+#include "app/tool/subprogram.h"
 #include "app/tool/terminal.h"
 #include "app/tool/text.h"
 #include "app/tool/vimsoptions.h"
@@ -214,14 +215,8 @@ ExitCode runVims(const QStringList &arguments)
 {
     QCommandLineParser parser;
     describeVims(parser);
-    const bool isParsed = parser.parse(QStringList{u"gorizont-tool vims"_s} + arguments);
-    if (isParsed && parser.isSet(u"help"_s)) {
-        print(parser.helpText().trimmed());
-        return ExitGood;
-    }
-    if (!isParsed) {
-        complain(parser.errorText());
-        return ExitUsage;
+    if (const auto ended = parseSubprogram(parser, u"vims"_s, arguments)) {
+        return *ended;
     }
     const auto options = vimsOptions(parser);
     if (const auto *problem = std::get_if<QString>(&options)) {

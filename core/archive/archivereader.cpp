@@ -17,9 +17,14 @@ ArchiveReader::ArchiveReader(const ArchiveConfig &config, QObject *parent)
 
 ArchiveReader::~ArchiveReader()
 {
+    stop();
+    m_thread.wait();
+}
+
+void ArchiveReader::stop()
+{
     m_thread.requestInterruption();
     m_thread.quit();
-    m_thread.wait();
 }
 
 void ArchiveReader::reopen()

@@ -2,6 +2,7 @@
 
 #include "core/archive/archivequery.h"
 
+#include <QDeadlineTimer>
 #include <QFuture>
 #include <QObject>
 #include <QPromise>
@@ -31,6 +32,11 @@ public:
 
     /// series() as a source; it must not outlive the reader.
     SeriesSource source();
+
+    /// From now on only the question that is being answered is. The destructor waits for that one without limit.
+    void stop();
+    /// After stop(). False: the store did not answer in time.
+    bool wait(const QDeadlineTimer &deadline) { return m_thread.wait(deadline); }
 
 public Q_SLOTS:
     /// The file is another one.

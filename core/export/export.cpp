@@ -4,7 +4,7 @@
 
 namespace gorizont {
 
-Export::Export(const HistorySource &source, QObject *parent)
+Export::Export(const ArchiveSource &source, QObject *parent)
     : QObject(parent)
     , m_source(source)
 {

@@ -16,7 +16,7 @@ class Export : public QObject
     Q_OBJECT
 
 public:
-    explicit Export(const HistorySource &source, QObject *parent = nullptr);
+    explicit Export(const ArchiveSource &source, QObject *parent = nullptr);
     /// Cancels what runs, and waits for its end: a fraction of a second.
     ~Export() override;
 
@@ -32,7 +32,7 @@ Q_SIGNALS:
 private:
     void end(const ExportResult &result);
 
-    const HistorySource m_source;
+    const ArchiveSource m_source;
     std::unique_ptr<QThread> m_thread; ///< empty: nothing runs
     std::unique_ptr<ExportWatch> m_watch;
 };

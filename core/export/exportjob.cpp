@@ -16,7 +16,7 @@ bool commit(QSaveFile &file)
 
 } // namespace
 
-ExportJob::ExportJob(const ExportRequest &request, const HistorySource &source, ExportWatch &watch)
+ExportJob::ExportJob(const ExportRequest &request, const ArchiveSource &source, ExportWatch &watch)
     : m_request(request)
     , m_source(source)
     , m_watch(watch)

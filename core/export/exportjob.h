@@ -13,7 +13,7 @@ namespace gorizont {
 class ExportJob
 {
 public:
-    ExportJob(const ExportRequest &request, const HistorySource &source, ExportWatch &watch);
+    ExportJob(const ExportRequest &request, const ArchiveSource &source, ExportWatch &watch);
     virtual ~ExportJob() = default;
     Q_DISABLE_COPY_MOVE(ExportJob)
 
@@ -36,7 +36,7 @@ protected:
     bool report(double share); ///< 0…1. False: cancelled
 
     const ExportRequest &m_request;
-    const HistorySource &m_source;
+    const ArchiveSource &m_source;
     ExportResult m_result;
 
 private:

@@ -9,7 +9,7 @@ namespace gorizont {
 namespace {
 
 /// What is wrong with a request before anything is asked; empty: nothing.
-QString problemOf(const ExportRequest &request, const HistorySource &source)
+QString problemOf(const ExportRequest &request, const ArchiveSource &source)
 {
     if (request.from >= request.to) {
         return exportsentence::emptyRange();
@@ -36,7 +36,7 @@ QString problemOf(const ExportRequest &request, const HistorySource &source)
 
 } // namespace
 
-ExportResult runExport(const ExportRequest &request, const HistorySource &source, ExportWatch &watch)
+ExportResult runExport(const ExportRequest &request, const ArchiveSource &source, ExportWatch &watch)
 {
     if (const QString problem = problemOf(request, source); !problem.isEmpty()) {
         ExportResult result;

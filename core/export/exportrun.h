@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/export/exportrequest.h"
-#include "core/export/historysource.h"
+#include "core/values/archivesource.h"
 
 #include <atomic>
 
@@ -16,6 +16,6 @@ struct ExportWatch
 
 /// Writes what \a request asks for, piece by piece, so that a year needs no more memory than an hour. Blocks: not for a
 /// thread that must not wait. Nothing that stood at the path is touched before all is written.
-ExportResult runExport(const ExportRequest &request, const HistorySource &source, ExportWatch &watch);
+ExportResult runExport(const ExportRequest &request, const ArchiveSource &source, ExportWatch &watch);
 
 } // namespace gorizont

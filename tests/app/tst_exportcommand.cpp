@@ -130,7 +130,7 @@ private Q_SLOTS:
             parse(u"--from 2018-02-07 --to 2018-02-07 --out %1"_s.arg(folder.filePath(u"a.csv"_s))));
         QPromise<QList<Series>> never;
         never.start();
-        HistorySource silent;
+        ArchiveSource silent;
         silent.series = [&never](const SeriesQuery &) {
             std::raise(SIGINT);
             return never.future();

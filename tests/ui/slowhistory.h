@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/export/historysource.h"
+#include "core/values/archivesource.h"
 
 #include <QPromise>
 
@@ -23,7 +23,7 @@ template <typename Answer> struct Asked
     }
 };
 
-/// A HistorySource that answers when the test says so.
+/// A ArchiveSource that answers when the test says so.
 class SlowSource
 {
 public:
@@ -42,9 +42,9 @@ public:
         }
     };
 
-    HistorySource source()
+    ArchiveSource source()
     {
-        HistorySource source;
+        ArchiveSource source;
         source.completeness = [this](const QList<int> &numbers, QDate first, QDate last) {
             months.append(Months{numbers, first, last});
             months.last().promise->start();

@@ -18,7 +18,7 @@ constexpr quint64 rowsOfExcel = 1'048'575; ///< below the headings
 
 } // namespace
 
-ExportDialog::ExportDialog(const HistorySource &source, const ExportForm::Start &start, QWidget *parent)
+ExportDialog::ExportDialog(const ArchiveSource &source, const ExportForm::Start &start, QWidget *parent)
     : QDialog(parent)
     , m_export(source)
     , m_form(new ExportForm(start, this))

@@ -17,7 +17,7 @@ class ExportDialog : public QDialog
     Q_OBJECT
 
 public:
-    ExportDialog(const HistorySource &source, const ExportForm::Start &start, QWidget *parent = nullptr);
+    ExportDialog(const ArchiveSource &source, const ExportForm::Start &start, QWidget *parent = nullptr);
 
     void reject() override;
 

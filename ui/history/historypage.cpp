@@ -42,7 +42,7 @@ template <typename T> bool hasAnswer(const QFutureWatcher<T> &watcher)
 
 } // namespace
 
-void HistoryPage::setSource(const HistorySource &source)
+void HistoryPage::setSource(const ArchiveSource &source)
 {
     m_source = source;
     m_stack->setCurrentIndex(source.completeness ? 1 : 0);

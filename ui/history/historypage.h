@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/export/historysource.h"
 #include "core/registry/journal.h"
 #include "core/registry/sensorregistry.h"
+#include "core/values/archivesource.h"
 
 #include <QFutureWatcher>
 #include <QTimer>
@@ -34,7 +34,7 @@ public:
     HistoryPage(const SensorRegistry &registry, const QString &siteName, QWidget *parent = nullptr);
 
     /// From now on \a source is asked; without completeness there is no archive, and the page says so.
-    void setSource(const HistorySource &source);
+    void setSource(const ArchiveSource &source);
 
     /// Asks again for everything that is shown; once a minute it does so itself while it is visible. The sentences of
     /// the page promise it to F5, which belongs to the window.
@@ -63,7 +63,7 @@ private:
 
     const SensorRegistry &m_registry;
     const QString m_siteName;
-    HistorySource m_source;
+    ArchiveSource m_source;
     QStackedLayout *m_stack; ///< the page, or the sentence that there is no archive
     CheckList *m_sensors;
     DayCalendar *m_calendar;

@@ -19,9 +19,9 @@ SensorConfig tiltSensor(int number, const QString &place)
 
 } // namespace
 
-HistorySource KeptSite::source() const
+ArchiveSource KeptSite::source() const
 {
-    HistorySource source;
+    ArchiveSource source;
     source.series = [kept = *this](const SeriesQuery &query) {
         if (kept.asked) {
             *kept.asked << query;
@@ -44,7 +44,8 @@ HistorySource KeptSite::source() const
     source.blocks = [kept = *this](int number, UtcTime from, UtcTime to) {
         QList<SampleBlock> answer;
         std::copy_if(kept.blocks.begin(), kept.blocks.end(), std::back_inserter(answer), [&](const SampleBlock &block) {
-            return block.number == number && block.start >= from && block.start < to;
+            const std::chrono::duration<double> length(static_cast<double>(block.x.size()) / block.rate);
+            return block.number == number && block.start < to && block.start + length > from;
         });
         return QtFuture::makeReadyFuture(answer);
     };

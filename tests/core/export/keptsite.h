@@ -1,18 +1,18 @@
 #pragma once
 
 #include "core/export/exportrequest.h"
-#include "core/export/historysource.h"
+#include "core/values/archivesource.h"
 
 namespace gorizont::test {
 
-/// What a small site kept, answered from memory: a HistorySource for tests.
+/// What a small site kept, answered from memory: a ArchiveSource for tests.
 struct KeptSite
 {
     QList<Series> series; ///< whole curves; the answer holds what lies in the range
     QList<SampleBlock> blocks;
     QList<SeriesQuery> *asked = nullptr; ///< takes every query for series
 
-    HistorySource source() const;
+    ArchiveSource source() const;
 };
 
 SensorConfig accelerometer(int number, const QString &place); ///< AN-D3: tilt, temperature, acceleration

@@ -59,7 +59,7 @@ private Q_SLOTS:
     void runsInItsOwnThread()
     {
         QThread *worker = nullptr;
-        HistorySource source = site().source();
+        ArchiveSource source = site().source();
         source.series = [&worker, inner = source.series](const SeriesQuery &query) {
             worker = QThread::currentThread();
             return inner(query);
@@ -86,7 +86,7 @@ private Q_SLOTS:
         writeOld();
         QPromise<QList<Series>> never;
         never.start();
-        HistorySource source = site().source();
+        ArchiveSource source = site().source();
         source.series = [&never, this, inner = source.series](const SeriesQuery &query) {
             return query.from > start + 3h ? never.future() : inner(query);
         };
@@ -109,7 +109,7 @@ private Q_SLOTS:
     {
         QPromise<QList<Series>> never;
         never.start();
-        HistorySource source;
+        ArchiveSource source;
         source.series = [&never](const SeriesQuery &) { return never.future(); };
         auto task = std::make_unique<Export>(source);
         task->start(m_request);
@@ -119,7 +119,7 @@ private Q_SLOTS:
 
     void sourceGoes()
     {
-        HistorySource source;
+        ArchiveSource source;
         source.series = [](const SeriesQuery &) {
             QPromise<QList<Series>> promise;
             promise.start();
@@ -140,7 +140,7 @@ private Q_SLOTS:
     {
         writeOld();
         ExportWatch watch;
-        const HistorySource source = site().source();
+        const ArchiveSource source = site().source();
         for (const rlim_t bytes : {0, 1, 100, 16384, 30000, 50000}) {
             const SmallDisk disk(bytes);
             const ExportResult result = runExport(m_request, source, watch);

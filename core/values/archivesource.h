@@ -7,9 +7,9 @@
 
 namespace gorizont {
 
-/// What is kept of the past, as questions. Every future is finished in another thread, or cancelled when the source has
+/// What an archive keeps of the past, as questions. Every future is finished in another thread, or cancelled when the source has
 /// gone; whoever asks may forget it. An empty function: this is not kept.
-struct HistorySource
+struct ArchiveSource
 {
     using Sensors = QList<int>; ///< N
 
@@ -20,7 +20,7 @@ struct HistorySource
     /// In ascending time, from ≤ t < to, and of them the last \a most.
     std::function<QFuture<QList<JournalEntry>>(UtcTime from, UtcTime to, int most)> events;
     SeriesSource series;
-    /// Of one sensor, in ascending time: the blocks that begin in from ≤ t < to.
+    /// Of one sensor, in ascending time: the blocks that overlap from ≤ t < to.
     std::function<QFuture<QList<SampleBlock>>(int number, UtcTime from, UtcTime to)> blocks;
 };
 
