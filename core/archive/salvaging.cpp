@@ -1,6 +1,7 @@
 // The part of ArchiveRecorder that goes on after damage.
 
 #include "core/archive/archiverecorder.h"
+#include "core/archive/damagedfile.h"
 
 namespace gorizont {
 
