@@ -26,13 +26,15 @@ void describe(QCommandLineParser &parser)
                    "import-history DIR  takes over the text and binary files of the folder History where the archive "
                    "knows nothing")
         + u"\n\n"_s
-        + Text::tr("Exit codes: 0 done; 1 it is damaged, or cannot be read or copied; 2 the command line is "
+        + Text::tr("Exit codes: 0 done; 1 it is damaged, or cannot be read, copied or written; 2 the command line is "
                    "wrong."));
     parser.addPositionalArgument(
         u"command"_s, Text::tr("One of the commands above."), u"check|stat|backup TARGET|import-history DIR"_s);
     parser.addOption(
-        {u"archive"_s, Text::tr("The file; History/archive.sqlite if not given."), u"FILE"_s,
-         u"History/archive.sqlite"_s});
+        {u"archive"_s,
+         Text::tr("The file; if not given, History/archive.sqlite, and for import-history the archive "
+                  "of the configuration."),
+         u"FILE"_s, u"History/archive.sqlite"_s});
     describeImport(parser);
     parser.addOption({u"json"_s, Text::tr("Prints JSON.")});
     parser.addOption({u"lang"_s, Text::tr("Language of the program."), u"ru|en"_s});

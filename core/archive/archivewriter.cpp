@@ -115,7 +115,7 @@ void ArchiveWriter::salvage()
 /// What could not be removed now is removed the next time. One event when that begins, and when it ends.
 void ArchiveWriter::sweep(UtcTime now)
 {
-    if (steadyNow() < m_sweepAt) {
+    if (!m_recorder.isOpen() || steadyNow() < m_sweepAt) { // the salvage before may have closed it
         return;
     }
     const auto outcome = m_retention.sweep(m_recorder.store(), now);

@@ -96,10 +96,12 @@ void TestArchiveRecovery::waitingForTheStoreIsNoClockStep()
     };
     const UtcTime start = utcNow();
     read();
-    QVERIFY(execute(config, QStringLiteral("ALTER TABLE event RENAME TO elsewhere")));
-    writer.appendJournal({JournalKind::Info, start, QStringLiteral("x"), 0, 0});
-    read(); // fails and closes the store
-    QVERIFY(execute(config, QStringLiteral("ALTER TABLE elsewhere RENAME TO event")));
+    QVERIFY(execute(config, QStringLiteral("ALTER TABLE rollup RENAME TO elsewhere")));
+    for (int i = 1; i <= 600; ++i) {
+        writer.updateReadings({tiltReading(1, start - 600us + i * 1us, i)});
+    }
+    writer.flush(); // its chunk fails, which closes the store; nothing else waits
+    QVERIFY(execute(config, QStringLiteral("ALTER TABLE elsewhere RENAME TO rollup")));
     QElapsedTimer timer;
     {
         const Holder holder(config, 1400ms);
@@ -113,8 +115,8 @@ void TestArchiveRecovery::waitingForTheStoreIsNoClockStep()
     writer.stop();
     ArchiveQuery query(config);
     const UtcTime end = utcNow() + 1s;
-    QCOMPARE(query.series({{tiltX}, start, end, 0}).value(0).buckets.size(), 5);
-    for (const Gap &gap : query.gaps({1}, start, end)) {
+    QCOMPARE(query.series({{tiltX}, start - 1s, end, 0}).value(0).buckets.size(), 604);
+    for (const Gap &gap : query.gaps({1}, start - 1s, end)) {
         QVERIFY(gap.reason != GapReason::Clock);
     }
 }

@@ -104,7 +104,9 @@ void TestPostgresLimits::onlyReadersHaveATimeout()
 {
     const auto timeout = [this](ArchiveDatabase::Access access) {
         ArchiveDatabase database(config(), access);
-        return database.open() ? database.single(QStringLiteral("SELECT current_setting('statement_timeout')")).toString() : QString();
+        return database.open()
+            ? database.single(QStringLiteral("SELECT current_setting('statement_timeout')")).toString()
+            : QString();
     };
     QCOMPARE(timeout(ArchiveDatabase::Access::Write), QStringLiteral("0"));
     QCOMPARE(timeout(ArchiveDatabase::Access::Read), QStringLiteral("1min"));
