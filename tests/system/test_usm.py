@@ -76,6 +76,7 @@ class Usm(unittest.TestCase):
         with Site(INI) as site, tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "deep" / "records.csv"
             header = "time,timestamp,serial,channel,measurement,value,variation,temperature"
+            self.assertEqual(tool(site, "serial", "--address", 7)[0], GOOD)  # it is awake: storing is not tried twice
             self.assertEqual(tool(site, "value", "--address", 7, "--store")[0], GOOD)
             self.assertEqual(tool(site, "records", "--address", 7, "--mask", "NEW", "--csv", table)[0], GOOD)
             lines = table.read_bytes().decode().split("\r\n")

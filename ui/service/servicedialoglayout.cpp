@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QStyle>
 #include <QTimer>
 
 namespace gorizont {
@@ -23,8 +24,11 @@ constexpr int messageLines = 3;
 /// As large as it wants to be without its scroll area, if the screen has the room.
 void resizeToContent(QDialog &dialog, const QScrollArea &area)
 {
-    const QSize wanted = dialog.layout()->sizeHint() - area.sizeHint() + area.widget()->sizeHint();
+    QSize wanted = dialog.layout()->sizeHint() - area.sizeHint() + area.widget()->sizeHint();
     const QSize available = dialog.screen()->availableSize() * 9 / 10; // the frame of the window needs some
+    if (wanted.height() > available.height()) {
+        wanted.rwidth() += dialog.style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    }
     dialog.resize(wanted.boundedTo(available).expandedTo(dialog.minimumSizeHint()));
 }
 
