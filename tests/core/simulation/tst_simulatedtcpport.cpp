@@ -3,9 +3,13 @@
 #include "core/engine/lineworker.h"
 #include "core/line/openline.h"
 #include "core/simulation/simulatedtcpport.h"
+#include "core/values/readingjson.h"
 #include "tests/core/devices/lvimsbench.h"
 #include "tests/support/fakeline.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSignalSpy>
 #include <QTcpSocket>
 #include <QTest>
@@ -131,11 +135,13 @@ struct Polling
 
     QString said(int index) { return journal.value(index).value(0).value<JournalEntry>().text; }
 
-    bool hasAnswer()
+    Reading last() const
     {
-        const Readings last = readings.isEmpty() ? Readings() : readings.last().at(0).value<Readings>();
-        return !last.isEmpty() && last.constFirst().isAnswer && last.constFirst().vibration;
+        const Readings batch = readings.isEmpty() ? Readings() : readings.last().at(0).value<Readings>();
+        return batch.isEmpty() ? Reading() : batch.constFirst();
     }
+
+    bool hasAnswer() const { return last().isAnswer && last().vibration; }
 
     LineWorker worker;
     QSignalSpy journal;
@@ -218,6 +224,24 @@ private Q_SLOTS:
         QVERIFY(socket.waitForConnected());
         socket.write(hex("00 01 00 00 FF FA 01"));
         QVERIFY(socket.waitForDisconnected(3000));
+    }
+
+    void aReadingAsJson()
+    {
+        Module module;
+        Polling polling(module.line());
+        QTRY_VERIFY(polling.hasAnswer());
+        const QByteArray json = readingToJson(polling.last(), vimsSensor(), module.line());
+        const QJsonObject object = QJsonDocument::fromJson(json).object();
+        QCOMPARE(object.value(u"type"_s).toString(), u"L-VIMS"_s);
+        QCOMPARE(object.value(u"port"_s).toString(), u"COM4"_s);
+        QCOMPARE(object.value(u"status"_s).toInt() >> 12, 0);
+        QCOMPARE(object.value(u"relays"_s).toArray().size(), 8);
+        const QJsonArray channels = object.value(u"channels"_s).toArray();
+        QCOMPARE(channels.size(), 4);
+        const QJsonObject measured = channels.at(3).toObject().value(u"measurements"_s).toArray().at(1).toObject();
+        QCOMPARE(measured.value(u"type"_s).toInt(), 2);
+        QVERIFY(measured.value(u"value"_s).toDouble() > 0.1);
     }
 
     /// A restart cuts the connection; the port is opened again and everything is read anew.
