@@ -12,10 +12,10 @@ namespace gorizont {
 namespace {
 
 /// Axes that are turned make of the steps of a device, 1/256 of an arc-second or larger, numbers of 53 bits without a
-/// pattern, five times as long. Sixteenths of a step are 0.0002 arc-seconds, and short.
+/// pattern, five times as long. Thousandths are a quarter of a step, and short.
 KeptReading roundedTilt(KeptReading reading)
 {
-    constexpr double parts = 4096;
+    constexpr double parts = 1000;
     for (KeptValue &kept : reading.values) {
         const bool isTilt = kept.quantity == Quantity::TiltX || kept.quantity == Quantity::TiltY;
         if (isTilt && kept.value) {

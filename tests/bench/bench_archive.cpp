@@ -335,10 +335,10 @@ int main(int argc, char **argv)
     const QStringList arguments = QCoreApplication::arguments();
     const qsizetype at = arguments.indexOf(QStringLiteral("--days"));
     const QTemporaryDir folder;
+    benchBytes(folder);
     for (const int turnsPerCommit : {1, 100}) {
         benchWriting(folder, turnsPerCommit);
     }
-    benchBytes(folder);
     benchLive(folder);
     benchReading(folder, at > 0 ? arguments.value(at + 1).toInt() : 365);
     return 0;

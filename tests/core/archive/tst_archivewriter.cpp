@@ -226,7 +226,7 @@ void TestArchiveWriter::leavesInvalidValuesOut()
     QCOMPARE(bucket.valid, 40U);
 }
 
-/// A sensor with RotX measures in no steps: its tilt is kept in 1/4096 of an arc-second, and so is short.
+/// A sensor with RotX measures in no steps: its tilt is kept in 1/1000 of an arc-second, and so is short.
 void TestArchiveWriter::roundsTurnedAxes()
 {
     ArchiveConfig config = archiveConfig(file());
@@ -236,7 +236,7 @@ void TestArchiveWriter::roundsTurnedAxes()
     bench.open(noon);
     for (int second = 0; second < 600; ++second) {
         Reading reading = tiltReading(1, noon + second * 1s, 0);
-        reading.tilt = Tilt{1 + 1.25 / 4096 + second, 100.1 + 0.003 * std::sin(second)};
+        reading.tilt = Tilt{1.00125 + second, 100.1 + 0.003 * std::sin(second)};
         bench.writer->updateReadings({reading});
         reading.number = 2;
         bench.writer->updateReadings({reading});
@@ -245,8 +245,8 @@ void TestArchiveWriter::roundsTurnedAxes()
     bench.close();
     const Buckets turned = bench.fullRate(tiltX, noon, noon + 1h);
     QCOMPARE(turned.size(), 600);
-    QCOMPARE(turned.at(7).mean, 8.000244140625); // 8 + 1/4096
-    QCOMPARE(bench.fullRate({2, Quantity::TiltX}, noon, noon + 1h).at(7).mean, 8 + 1.25 / 4096);
+    QCOMPARE(turned.at(7).mean, 8.001);
+    QCOMPARE(bench.fullRate({2, Quantity::TiltX}, noon, noon + 1h).at(7).mean, 8.00125);
     ArchiveDatabase database(bench.config, ArchiveDatabase::Access::Read);
     QVERIFY(database.open());
     const auto size = [&database](int number) {
