@@ -2,6 +2,7 @@
 
 #include "core/values/archivesource.h"
 
+#include <QDateTime>
 #include <QPromise>
 
 #include <memory>

@@ -1,6 +1,7 @@
 #include "tests/ui/trendsbench.h"
 #include "ui/models/sitetreemodel.h"
 #include "ui/plots/cursorpair.h"
+#include "ui/plots/curvestyle.h"
 #include "ui/plots/plottime.h"
 
 #include <QComboBox>

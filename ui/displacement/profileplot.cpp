@@ -26,6 +26,7 @@ ProfilePlot::ProfilePlot(Plane plane, QWidget *parent)
     // The corner that a building hardly ever reaches.
     m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignBottom | Qt::AlignRight);
     dress();
+    m_plot->installEventFilter(this);
 }
 
 void ProfilePlot::dress()
@@ -40,12 +41,13 @@ void ProfilePlot::dress()
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void ProfilePlot::changeEvent(QEvent *event)
+/// Of the plot: it gets a palette after the widget around it.
+bool ProfilePlot::eventFilter(QObject *watched, QEvent *event)
 {
-    QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         dress();
     }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ProfilePlot::show(const std::vector<ChainNode> &nodes, const ProfileZero *zero)

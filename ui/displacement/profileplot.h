@@ -25,7 +25,7 @@ public:
     void show(const std::vector<ChainNode> &nodes, const ProfileZero *zero);
 
 protected:
-    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     double part(const Displacement &shift) const { return m_plane == Plane::X ? shift.x : shift.y; }

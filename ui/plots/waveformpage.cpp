@@ -62,6 +62,7 @@ void WaveformPage::buildPlots()
         for (const Quantity quantity : {Quantity::SampleX, Quantity::SampleY}) {
             plot->addGraph()->setName(plottext::quantity(quantity));
         }
+        plot->installEventFilter(this);
     }
     dress();
 }
@@ -79,13 +80,14 @@ void WaveformPage::dress()
     }
 }
 
-void WaveformPage::changeEvent(QEvent *event)
+/// Of the plots: they get a palette after their page.
+bool WaveformPage::eventFilter(QObject *watched, QEvent *event)
 {
-    SpanPage::changeEvent(event);
-    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) && m_lines) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         dress();
         takeAnalysis(); // the labels have the colours of their curves
     }
+    return SpanPage::eventFilter(watched, event);
 }
 
 void WaveformPage::buildChoices()

@@ -22,7 +22,7 @@ public:
 
 protected:
     void draw() override;
-    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void buildPlots();
@@ -38,7 +38,7 @@ private:
 
     QWidget *m_content;
     QCustomPlot *m_wave;
-    QCustomPlot *m_lines = nullptr; ///< of the spectrum
+    QCustomPlot *m_lines; ///< of the spectrum
     Series m_x; ///< as drawn and analysed last
     Series m_y;
     TimeSpan m_analysed; ///< the span that was seen when they were

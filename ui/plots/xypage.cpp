@@ -42,6 +42,7 @@ XyPage::XyPage(SensorRegistry &registry, SeriesSource source, QWidget *parent, S
     m_start = addMark(tr("start"), true);
     m_end = addMark(tr("end"), false);
     dress();
+    m_plot->installEventFilter(this);
     auto *units = new QComboBox(bar());
     units->setObjectName(QStringLiteral("tiltUnit"));
     units->setToolTip(tr("In what angles are drawn"));
@@ -108,12 +109,13 @@ void XyPage::dress()
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void XyPage::changeEvent(QEvent *event)
+/// Of the plot: it gets a palette after its page.
+bool XyPage::eventFilter(QObject *watched, QEvent *event)
 {
-    SpanPage::changeEvent(event);
-    if ((event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) && m_end.point) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         dress();
     }
+    return SpanPage::eventFilter(watched, event);
 }
 
 void XyPage::place(const Mark &mark, const QList<HodographPoint> &points, qsizetype at)

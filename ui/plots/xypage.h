@@ -25,7 +25,7 @@ public:
 
 protected:
     void draw() override;
-    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     struct Mark
