@@ -318,6 +318,104 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>LVims</name>
+    <message>
+        <source>not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation type="unfinished">ускорения</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>speed of rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude of a harmonic of acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase of a harmonic of acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude of a harmonic of velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase of a harmonic of velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude of a harmonic of displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase of a harmonic of displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constant part of acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS of a harmonic of acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS of a harmonic of velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS of a harmonic of displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest deviation of the shaft from its mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LVimsDriver</name>
+    <message>
+        <source>The module refuses to be read (exception %1 of Modbus). Check the keys Unit and ReadFunction of the sensor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module is in its boot loader and measures nothing. Restart it, or load its program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: the line of the sensor is shorted. Check its cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: the line of the sensor is broken. Check its cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: the sensor works again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1%2 is &quot;%3&quot;, but takes %4…%5. Its usual value is used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Metrics</name>
     <message>
         <source>Another program uses this port. Stop that program or choose another Port in [Metrics].</source>
@@ -1571,6 +1669,14 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>That size is used.</source>
         <translation>Используется этот размер.</translation>
+    </message>
+    <message>
+        <source>Only an archive of QSQLITE has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is ignored. KeepRaw and KeepSamples bound the archive.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3029,6 +3135,18 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>What is measured while the server of the archive is gone cannot be kept: %1. Free some room there.</source>
         <translation>Измеренное, пока сервер архива недоступен, сохранить нельзя: %1. Освободите там место.</translation>
     </message>
+    <message>
+        <source>The archive could not be written for too long: records that sensors had kept are not in it. Read them again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rollups of the archive were damaged, %1 of them. They were made again from the readings that are still there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read. Check that disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ArchiveWriter</name>
@@ -3049,8 +3167,12 @@ Acceleration, mm/s² = sample × scale.</source>
         <translation>Архив не записывается: %1 До тех пор измеренное ждёт в %2.</translation>
     </message>
     <message>
-        <source>%1 records of devices are not in the archive. Download all of them again.</source>
-        <translation>Записей приборов не попало в архив: %1. Загрузите все записи ещё раз.</translation>
+        <source>What is too old cannot be removed from the archive: %1 It is tried again every few minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is too old is removed from the archive again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5054,30 +5176,6 @@ Acceleration, mm/s² = sample × scale.</source>
 <context>
     <name>gorizont::Simulator</name>
     <message>
-        <source>Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn.
-
-Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
-  silent=N     the sensor with site number N does not answer
-  crc=P        P % of the answers have a wrong byte
-  garbage=P    P % of the answers come after garbage
-  pieces=P     P % of the answers come in pieces
-  late=P       P % of the answers come 1.5 s late
-  reboot=N     the sensor N restarts, once at FROM
-  overrun=N    the ring of the sensor N is overwritten, once at FROM
-  gone=n:S     the port COMn is gone for S seconds, once at FROM</source>
-        <translation>Имитирует датчики файла настроек: каждый порт становится псевдотерминалом со ссылкой DIR/COMn.
-
-Неисправности, каждая KIND=VALUE[@FROM[-TO]], время в секундах от запуска:
-  silent=N     датчик с номером N на объекте не отвечает
-  crc=P        P % ответов с неверным байтом
-  garbage=P    P % ответов приходят после мусора
-  pieces=P     P % ответов приходят по частям
-  late=P       P % ответов опаздывают на 1,5 с
-  reboot=N     датчик N перезагружается один раз в момент FROM
-  overrun=N    буфер датчика N перезаписывается один раз в момент FROM
-  gone=n:S     порт COMn пропадает на S секунд один раз в момент FROM</translation>
-    </message>
-    <message>
         <source>The ini that lists the sensors.</source>
         <translation>Файл настроек со списком датчиков.</translation>
     </message>
@@ -5104,6 +5202,20 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>the folder %1 cannot be made</source>
         <translation>не удаётся создать папку %1</translation>
+    </message>
+    <message>
+        <source>Plays the sensors of an ini file: every port becomes a pty linked as DIR/COMn, a port with Device=tcp://127.0.0.1:port listens there.
+
+Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
+  silent=N     the sensor with site number N does not answer
+  crc=P        P % of the answers have a wrong byte
+  garbage=P    P % of the answers come after garbage
+  pieces=P     P % of the answers come in pieces
+  late=P       P % of the answers come 1.5 s late
+  reboot=N     the sensor N restarts, once at FROM
+  overrun=N    the ring of the sensor N is overwritten, once at FROM
+  gone=n:S     the port COMn is gone for S seconds, once at FROM</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6076,6 +6188,29 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::tool::HistoryImport</name>
+    <message>
+        <source>No file in %1 is of this configuration. Name the one they were made with by --config.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no old records in %1. Name the folder with files like 2018_02_data.txt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no records and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds %2 sensors and the configuration has %3: it is left out, because nobody knows whose the values are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: damaged lines, %2 in all, are left out: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>gorizont::tool::Text</name>
     <message>
         <source>address %1 is taken; nothing was changed</source>
@@ -6886,30 +7021,6 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>Устройство приняло новые настройки порта; на этой линии их нельзя проверить.</translation>
     </message>
     <message>
-        <source>Looks after the archive of Gorizont Server; the server may run meanwhile.</source>
-        <translation>Обслуживает архив Gorizont Server; сервер при этом может работать.</translation>
-    </message>
-    <message>
-        <source>check          reads all of it and compares every check sum
-stat           prints what is in it
-backup TARGET  copies it as it is at this moment to a file that does not exist yet</source>
-        <translation>check          читает его целиком и сверяет все контрольные суммы
-stat           выводит, что в нём есть
-backup ЦЕЛЬ    копирует его в нынешнем виде в файл, которого ещё нет</translation>
-    </message>
-    <message>
-        <source>Exit codes: 0 done; 1 it is damaged, or cannot be read or copied; 2 the command line is wrong.</source>
-        <translation>Коды завершения: 0 — сделано; 1 — повреждён или не читается, не копируется; 2 — ошибка в командной строке.</translation>
-    </message>
-    <message>
-        <source>The file; History/archive.sqlite if not given.</source>
-        <translation>Файл; без ключа History/archive.sqlite.</translation>
-    </message>
-    <message>
-        <source>archive takes check, stat or backup TARGET; see gorizont-tool archive --help</source>
-        <translation>archive понимает check, stat или backup ЦЕЛЬ; см. gorizont-tool archive --help</translation>
-    </message>
-    <message>
         <source>The folder with History; the folder of the configuration if not given.</source>
         <translation>Папка, где лежит History; без ключа — папка конфигурации.</translation>
     </message>
@@ -6928,6 +7039,227 @@ backup ЦЕЛЬ    копирует его в нынешнем виде в фа�
     <message>
         <source>usm records: the table that is written; one that is there is continued, each record once.</source>
         <translation>usm records: таблица для записи; существующая продолжается, каждая запись один раз.</translation>
+    </message>
+    <message>
+        <source>Looks after the archive of Gorizont Server; the server may run meanwhile, only not for import-history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>check               reads all of it and compares every check sum
+stat                prints what is in it
+backup TARGET       copies it as it is at this moment to a file that does not exist yet
+import-history DIR  takes over the text and binary files of the folder History where the archive knows nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 it is damaged, or cannot be read, copied or written; 2 the command line is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file; if not given, History/archive.sqlite, and for import-history the archive of the configuration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>archive takes check, stat, backup TARGET or import-history DIR; see gorizont-tool archive --help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files, %2 records, %3 damaged lines; %4 values of sensors were new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import-history: the configuration with the sensors of the files; GorizontServer.ini if not given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>import-history: the folder of the archive&apos;s History; the folder of the configuration if not given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gorizont-tool vims --help tells of L-VIMS vibration modules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what is not known is null:
+  every one   type (L-VIMS), device
+  info        name, serial, firmware, board, mode (1 boot loader, 2 at work), writeError, settingsError
+  state       channels: channel (0…3), state (0 good, 1 short circuit, 2 break, 65535 no data), measurements:
+              index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded; relays:
+              index, logical, physical, error, enabled
+  waveform    channel, id, samples, rate (Hz), disturbances, file
+  spectrum    channel, spectrum (5000, 200), bins, rate (Hz), disturbances, peakFrequency (Hz),
+              peakAmplitude, file
+  settings    setting (settings), done, file; load: writeError, settingsError
+  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vims takes one of %1; see gorizont-tool vims --help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--device takes tcp://host:port, not &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>--type takes 5000 or 200, not &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vims settings takes --save FILE or --load FILE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads an L-VIMS vibration module over the network; others may read it meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>info       prints what the module is
+state      prints what it measures, and its relays
+waveform   lets it keep a waveform, fetches it and writes it to --out
+spectrum   the same for its spectrum up to 5000 Hz or 200 Hz
+settings   writes its settings to a file, or a file to its settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A .csv has the columns time (s), code and value, or frequency (Hz) and amplitude. A .wav is scaled so that its largest value is 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 refused by the module or by the user; 2 the command line is wrong; 3 no answer, or no connection.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module; port 502 if none is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of Modbus; 1 if not given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long one answer is waited for; %1 if not given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waveform, spectrum: 0…3; 0 if not given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spectrum: up to 5000 (if not given) or 200 Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waveform, spectrum: the file, .csv or, of a waveform, .wav.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settings: writes them to this file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settings: writes this file to the module and lets it use them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settings --load: keeps them for the next start of the module too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The settings are in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no file of settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was written. --yes writes without asking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The module uses the settings of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All settings of the module change, its network address too. Write them?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line of the sensor is shorted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line of the sensor is broken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far from its usual value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boot loader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, serial number %2, program %3, board %4, %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relay %1: logical %2, physical %3, error %4, enabled %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1: %2 samples, %3 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1: %2 bins, highest %3 at %4 Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the module refuses the settings (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); it keeps those it had</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -213,7 +213,7 @@ std::optional<QList<Gap>> ArchiveStore::gapsWhere(int number, const QString &con
         gap.filledFrom = query->value(3).toString();
         gaps.append(gap);
     }
-    return gaps;
+    return m_database.isWhole(query) ? std::optional(gaps) : std::nullopt;
 }
 
 std::optional<QList<Gap>> ArchiveStore::gaps(int number, const TimeSpan &span)
@@ -282,7 +282,7 @@ std::optional<std::vector<UtcTime>> ArchiveStore::recordTimes(int number, const 
     while (query->next()) {
         times.push_back(readTime(query->value(0)));
     }
-    return times;
+    return m_database.isWhole(query) ? std::optional(times) : std::nullopt;
 }
 
 std::optional<QList<TimeSpan>> ArchiveStore::chunkSpans(ChunkKind kind, int number, const TimeSpan &span)
@@ -297,7 +297,7 @@ std::optional<QList<TimeSpan>> ArchiveStore::chunkSpans(ChunkKind kind, int numb
     while (query->next()) {
         spans.append({readTime(query->value(0)), readTime(query->value(1))});
     }
-    return spans;
+    return m_database.isWhole(query) ? std::optional(spans) : std::nullopt;
 }
 
 } // namespace gorizont

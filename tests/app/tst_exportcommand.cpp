@@ -119,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(exportHistory(request, kept.source(), true), ExitNoAnswer); // nothing in the range
         kept.series = {{{2, Quantity::TiltX}, {}, {test::reading(request.from + 1h, 5)}, {}}};
         QCOMPARE(exportHistory(request, kept.source(), true), ExitGood);
-        QVERIFY(test::contentOf(request.path).contains("\r\n07.02.2018 01:00:00.000;"));
+        QVERIFY(test::contentOf(request.path).contains("\r\n07.02.2018 01:00:00,000;"));
     }
 
     /// Ctrl+C while the archive is silent.
