@@ -108,6 +108,7 @@ void CurveGraphs::draw(const Points &points, bool hasBand)
 {
     m_hasBand = hasBand;
     m_fromHistory = points.line.size();
+    forgetExtremes();
     give(m_line, points.line);
     give(m_dots, points.dots);
     give(m_lowest, hasBand ? points.lowest : Dots());
@@ -141,21 +142,22 @@ void CurveGraphs::forgetOldest()
     for (QCPGraph *graph : {m_lowest, m_highest, m_line, m_dots}) {
         graph->data()->removeBefore(first);
     }
+    forgetExtremes();
+}
+
+void CurveGraphs::forgetExtremes()
+{
+    for (LineExtremes *extremes : {&m_lineExtremes, &m_lowestExtremes, &m_highestExtremes}) {
+        extremes->forget();
+    }
 }
 
 std::optional<QCPRange> CurveGraphs::valueRange(const QCPRange &keys) const
 {
-    bool isFound = false;
-    QCPRange range = m_line->getValueRange(isFound, QCP::sdBoth, keys);
-    if (!isFound) {
-        return {};
-    }
-    for (const QCPGraph *band : {m_lowest, m_highest}) {
-        bool hasBand = false;
-        const QCPRange other = band->getValueRange(hasBand, QCP::sdBoth, keys);
-        if (hasBand) {
-            range.expand(other);
-        }
+    std::optional<QCPRange> range = m_lineExtremes.within(*m_line->data(), keys);
+    if (range && m_hasBand) {
+        range->expand(m_lowestExtremes.within(*m_lowest->data(), keys).value_or(*range));
+        range->expand(m_highestExtremes.within(*m_highest->data(), keys).value_or(*range));
     }
     return range;
 }

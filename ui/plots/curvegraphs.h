@@ -2,6 +2,7 @@
 
 #include "core/values/series.h"
 #include "ui/plots/curvestyle.h"
+#include "ui/plots/lineextremes.h"
 #include "ui/plots/plotting.h"
 
 namespace gorizont {
@@ -28,6 +29,7 @@ private:
     static void breakAt(Points &points, double key);
     void draw(const Points &points, bool hasBand);
     void forgetOldest();
+    void forgetExtremes();
 
     QCPGraph *m_lowest;
     QCPGraph *m_highest;
@@ -37,6 +39,9 @@ private:
     bool m_hasBand = false;
     qsizetype m_fromHistory = 0; ///< points of the line
     UtcTime m_end; ///< of what is drawn
+    mutable LineExtremes m_lineExtremes;
+    mutable LineExtremes m_lowestExtremes;
+    mutable LineExtremes m_highestExtremes;
 };
 
 } // namespace gorizont
