@@ -321,98 +321,98 @@ Acceleration, mm/s² = sample × scale.</source>
     <name>LVims</name>
     <message>
         <source>not used</source>
-        <translation type="unfinished"></translation>
+        <translation>не используется</translation>
     </message>
     <message>
         <source>acceleration</source>
-        <translation type="unfinished">ускорения</translation>
+        <translation>виброускорение</translation>
     </message>
     <message>
         <source>velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>виброскорость</translation>
     </message>
     <message>
         <source>displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>виброперемещение</translation>
     </message>
     <message>
         <source>gap</source>
-        <translation type="unfinished"></translation>
+        <translation>зазор</translation>
     </message>
     <message>
         <source>speed of rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>частота вращения</translation>
     </message>
     <message>
         <source>amplitude of a harmonic of acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>амплитуда гармоники виброускорения</translation>
     </message>
     <message>
         <source>phase of a harmonic of acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>фаза гармоники виброускорения</translation>
     </message>
     <message>
         <source>amplitude of a harmonic of velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>амплитуда гармоники виброскорости</translation>
     </message>
     <message>
         <source>phase of a harmonic of velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>фаза гармоники виброскорости</translation>
     </message>
     <message>
         <source>amplitude of a harmonic of displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>амплитуда гармоники виброперемещения</translation>
     </message>
     <message>
         <source>phase of a harmonic of displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>фаза гармоники виброперемещения</translation>
     </message>
     <message>
         <source>constant part of acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>постоянная составляющая ускорения</translation>
     </message>
     <message>
         <source>RMS of a harmonic of acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ гармоники виброускорения</translation>
     </message>
     <message>
         <source>RMS of a harmonic of velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ гармоники виброскорости</translation>
     </message>
     <message>
         <source>RMS of a harmonic of displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ гармоники виброперемещения</translation>
     </message>
     <message>
         <source>largest deviation of the shaft from its mean</source>
-        <translation type="unfinished"></translation>
+        <translation>наибольшее отклонение вала от среднего положения</translation>
     </message>
 </context>
 <context>
     <name>LVimsDriver</name>
     <message>
         <source>The module refuses to be read (exception %1 of Modbus). Check the keys Unit and ReadFunction of the sensor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Модуль отказывается отвечать на чтение (исключение Modbus %1). Проверьте ключи Unit и ReadFunction датчика.</translation>
     </message>
     <message>
         <source>The module is in its boot loader and measures nothing. Restart it, or load its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Модуль находится в загрузчике и не измеряет. Перезапустите его или загрузите в него программу.</translation>
     </message>
     <message>
         <source>Channel %1: the line of the sensor is shorted. Check its cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Канал %1: короткое замыкание линии датчика. Проверьте кабель.</translation>
     </message>
     <message>
         <source>Channel %1: the line of the sensor is broken. Check its cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Канал %1: обрыв линии датчика. Проверьте кабель.</translation>
     </message>
     <message>
         <source>Channel %1: the sensor works again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Канал %1: датчик снова работает.</translation>
     </message>
     <message>
         <source>%1%2 is &quot;%3&quot;, but takes %4…%5. Its usual value is used.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1%2 равен «%3», а допустимо %4…%5. Принято обычное значение.</translation>
     </message>
 </context>
 <context>
@@ -1672,11 +1672,11 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
     <message>
         <source>Only an archive of QSQLITE has it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Этот ключ есть только у архива QSQLITE.</translation>
     </message>
     <message>
         <source>It is ignored. KeepRaw and KeepSamples bound the archive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Он не учитывается. Архив ограничивают KeepRaw и KeepSamples.</translation>
     </message>
 </context>
 <context>
@@ -3137,15 +3137,15 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
     <message>
         <source>The archive could not be written for too long: records that sensors had kept are not in it. Read them again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Архив слишком долго не удавалось записать: записей, которые хранили датчики, в нём нет. Считайте их ещё раз.</translation>
     </message>
     <message>
         <source>Rollups of the archive were damaged, %1 of them. They were made again from the readings that are still there.</source>
-        <translation type="unfinished"></translation>
+        <translation>В архиве были повреждены сводки: %1. Они построены заново по сохранившимся показаниям.</translation>
     </message>
     <message>
         <source>%1 cannot be read. Check that disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 не читается. Проверьте этот диск.</translation>
     </message>
 </context>
 <context>
@@ -3168,11 +3168,11 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
     <message>
         <source>What is too old cannot be removed from the archive: %1 It is tried again every few minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Устаревшие данные не удаляются из архива: %1 Попытки повторяются каждые несколько минут.</translation>
     </message>
     <message>
         <source>What is too old is removed from the archive again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Устаревшие данные снова удаляются из архива.</translation>
     </message>
 </context>
 <context>
@@ -5215,7 +5215,17 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
   reboot=N     the sensor N restarts, once at FROM
   overrun=N    the ring of the sensor N is overwritten, once at FROM
   gone=n:S     the port COMn is gone for S seconds, once at FROM</source>
-        <translation type="unfinished"></translation>
+        <translation>Имитирует датчики файла настроек: каждый порт становится псевдотерминалом со ссылкой DIR/COMn, порт с Device=tcp://127.0.0.1:port принимает там соединения.
+
+Неисправности, каждая KIND=VALUE[@FROM[-TO]], время в секундах от запуска:
+  silent=N     датчик с номером N на объекте не отвечает
+  crc=P        P % ответов с неверным байтом
+  garbage=P    P % ответов приходят после мусора
+  pieces=P     P % ответов приходят по частям
+  late=P       P % ответов опаздывают на 1,5 с
+  reboot=N     датчик N перезагружается один раз в момент FROM
+  overrun=N    буфер датчика N перезаписывается один раз в момент FROM
+  gone=n:S     порт COMn пропадает на S секунд один раз в момент FROM</translation>
     </message>
 </context>
 <context>
@@ -6191,23 +6201,23 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <name>gorizont::tool::HistoryImport</name>
     <message>
         <source>No file in %1 is of this configuration. Name the one they were made with by --config.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ни один файл в %1 не относится к этой конфигурации. Укажите ту, с которой они записаны, ключом --config.</translation>
     </message>
     <message>
         <source>There are no old records in %1. Name the folder with files like 2018_02_data.txt.</source>
-        <translation type="unfinished"></translation>
+        <translation>В %1 нет старых записей. Укажите папку с файлами вида 2018_02_data.txt.</translation>
     </message>
     <message>
         <source>%1 holds no records and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>В %1 нет записей, файл пропущен.</translation>
     </message>
     <message>
         <source>%1 holds %2 sensors and the configuration has %3: it is left out, because nobody knows whose the values are.</source>
-        <translation type="unfinished"></translation>
+        <translation>В %1 датчиков: %2, а в конфигурации: %3. Файл пропущен, так как неизвестно, чьи это показания.</translation>
     </message>
     <message>
         <source>%1: damaged lines, %2 in all, are left out: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: пропущены повреждённые строки, всего %2: %3.</translation>
     </message>
 </context>
 <context>
@@ -7042,46 +7052,49 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
     <message>
         <source>Looks after the archive of Gorizont Server; the server may run meanwhile, only not for import-history.</source>
-        <translation type="unfinished"></translation>
+        <translation>Обслуживает архив Gorizont Server; сервер при этом может работать, но не при import-history.</translation>
     </message>
     <message>
         <source>check               reads all of it and compares every check sum
 stat                prints what is in it
 backup TARGET       copies it as it is at this moment to a file that does not exist yet
 import-history DIR  takes over the text and binary files of the folder History where the archive knows nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>check                 читает его целиком и сверяет все контрольные суммы
+stat                  выводит, что в нём есть
+backup ЦЕЛЬ           копирует его в нынешнем виде в файл, которого ещё нет
+import-history ПАПКА  переносит текстовые и двоичные файлы папки History за то время, о котором архив ничего не знает</translation>
     </message>
     <message>
         <source>Exit codes: 0 done; 1 it is damaged, or cannot be read, copied or written; 2 the command line is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Коды завершения: 0 — сделано; 1 — повреждён, не читается, не копируется или не записывается; 2 — ошибка в командной строке.</translation>
     </message>
     <message>
         <source>The file; if not given, History/archive.sqlite, and for import-history the archive of the configuration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Файл; если не указан — History/archive.sqlite, а для import-history — архив конфигурации.</translation>
     </message>
     <message>
         <source>archive takes check, stat, backup TARGET or import-history DIR; see gorizont-tool archive --help</source>
-        <translation type="unfinished"></translation>
+        <translation>archive принимает check, stat, backup ЦЕЛЬ или import-history ПАПКА; см. gorizont-tool archive --help</translation>
     </message>
     <message>
         <source>%1 files, %2 records, %3 damaged lines; %4 values of sensors were new</source>
-        <translation type="unfinished"></translation>
+        <translation>файлов: %1, записей: %2, повреждённых строк: %3; новых показаний датчиков: %4</translation>
     </message>
     <message>
         <source>import-history: the configuration with the sensors of the files; GorizontServer.ini if not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>import-history: конфигурация с датчиками этих файлов; если не указана — GorizontServer.ini.</translation>
     </message>
     <message>
         <source>import-history: the folder of the archive&apos;s History; the folder of the configuration if not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>import-history: папка, в которой History с архивом; если не указана — папка конфигурации.</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %</translation>
     </message>
     <message>
         <source>gorizont-tool vims --help tells of L-VIMS vibration modules.</source>
-        <translation type="unfinished"></translation>
+        <translation>О модулях измерения вибрации L-VIMS рассказывает gorizont-tool vims --help.</translation>
     </message>
     <message>
         <source>JSON, one object a line; what is not known is null:
@@ -7095,27 +7108,37 @@ import-history DIR  takes over the text and binary files of the folder History w
               peakAmplitude, file
   settings    setting (settings), done, file; load: writeError, settingsError
   a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON, один объект в строке; неизвестное — null:
+  все         type (L-VIMS), device
+  info        name, serial, firmware, board, mode (1 — загрузчик, 2 — работа), writeError, settingsError
+  state       channels: channel (0…3), state (0 — исправен, 1 — замыкание, 2 — обрыв, 65535 — нет данных),
+              measurements: index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded;
+              relays: index, logical, physical, error, enabled
+  waveform    channel, id, samples, rate (Гц), disturbances, file
+  spectrum    channel, spectrum (5000, 200), bins, rate (Гц), disturbances, peakFrequency (Гц),
+              peakAmplitude, file
+  settings    setting (settings), done, file; load: writeError, settingsError
+  неудача     fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
     </message>
     <message>
         <source>vims takes one of %1; see gorizont-tool vims --help</source>
-        <translation type="unfinished"></translation>
+        <translation>vims принимает одно из: %1; см. gorizont-tool vims --help</translation>
     </message>
     <message>
         <source>--device takes tcp://host:port, not &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>--device принимает tcp://host:port, а не «%1»</translation>
     </message>
     <message>
         <source>--type takes 5000 or 200, not &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>--type принимает 5000 или 200, а не «%1»</translation>
     </message>
     <message>
         <source>vims settings takes --save FILE or --load FILE</source>
-        <translation type="unfinished"></translation>
+        <translation>vims settings принимает --save ФАЙЛ или --load ФАЙЛ</translation>
     </message>
     <message>
         <source>Reads an L-VIMS vibration module over the network; others may read it meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Читает модуль измерения вибрации L-VIMS по сети; другие могут читать его в то же время.</translation>
     </message>
     <message>
         <source>info       prints what the module is
@@ -7123,143 +7146,147 @@ state      prints what it measures, and its relays
 waveform   lets it keep a waveform, fetches it and writes it to --out
 spectrum   the same for its spectrum up to 5000 Hz or 200 Hz
 settings   writes its settings to a file, or a file to its settings</source>
-        <translation type="unfinished"></translation>
+        <translation>info       выводит сведения о модуле
+state      выводит, что он измеряет, и его реле
+waveform   просит его сохранить выборку, забирает её и записывает в --out
+spectrum   то же для его спектра до 5000 Гц или до 200 Гц
+settings   записывает его настройки в файл или файл в его настройки</translation>
     </message>
     <message>
         <source>A .csv has the columns time (s), code and value, or frequency (Hz) and amplitude. A .wav is scaled so that its largest value is 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>В .csv столбцы time (с), code и value или frequency (Гц) и amplitude. В .wav наибольшее значение приведено к 1.</translation>
     </message>
     <message>
         <source>Exit codes: 0 done; 1 refused by the module or by the user; 2 the command line is wrong; 3 no answer, or no connection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Коды завершения: 0 — сделано; 1 — отказ модуля или пользователя; 2 — ошибка в командной строке; 3 — нет ответа или связи.</translation>
     </message>
     <message>
         <source>The module; port 502 if none is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Модуль; порт 502, если не указан другой.</translation>
     </message>
     <message>
         <source>Unit of Modbus; 1 if not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Адрес Modbus; если не указан — 1.</translation>
     </message>
     <message>
         <source>How long one answer is waited for; %1 if not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сколько ждать одного ответа; если не указано — %1.</translation>
     </message>
     <message>
         <source>waveform, spectrum: 0…3; 0 if not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>waveform, spectrum: 0…3; если не указан — 0.</translation>
     </message>
     <message>
         <source>spectrum: up to 5000 (if not given) or 200 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>spectrum: до 5000 Гц (если не указано) или до 200 Гц.</translation>
     </message>
     <message>
         <source>waveform, spectrum: the file, .csv or, of a waveform, .wav.</source>
-        <translation type="unfinished"></translation>
+        <translation>waveform, spectrum: файл .csv, для выборки также .wav.</translation>
     </message>
     <message>
         <source>settings: writes them to this file.</source>
-        <translation type="unfinished"></translation>
+        <translation>settings: записывает их в этот файл.</translation>
     </message>
     <message>
         <source>settings: writes this file to the module and lets it use them.</source>
-        <translation type="unfinished"></translation>
+        <translation>settings: записывает этот файл в модуль и применяет.</translation>
     </message>
     <message>
         <source>settings --load: keeps them for the next start of the module too.</source>
-        <translation type="unfinished"></translation>
+        <translation>settings --load: сохраняет их и для следующих запусков модуля.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 из %2</translation>
     </message>
     <message>
         <source>The settings are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Настройки сохранены в %1.</translation>
     </message>
     <message>
         <source>%1 is no file of settings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 — не файл настроек</translation>
     </message>
     <message>
         <source>nothing was written. --yes writes without asking</source>
-        <translation type="unfinished"></translation>
+        <translation>ничего не записано. С --yes запись идёт без вопроса</translation>
     </message>
     <message>
         <source>The module uses the settings of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Модуль работает с настройками из %1.</translation>
     </message>
     <message>
         <source>All settings of the module change, its network address too. Write them?</source>
-        <translation type="unfinished"></translation>
+        <translation>Изменятся все настройки модуля, в том числе его сетевой адрес. Записать?</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>исправен</translation>
     </message>
     <message>
         <source>the line of the sensor is shorted</source>
-        <translation type="unfinished"></translation>
+        <translation>замыкание линии датчика</translation>
     </message>
     <message>
         <source>the line of the sensor is broken</source>
-        <translation type="unfinished"></translation>
+        <translation>обрыв линии датчика</translation>
     </message>
     <message>
         <source>no data</source>
-        <translation type="unfinished"></translation>
+        <translation>нет данных</translation>
     </message>
     <message>
         <source>state %1</source>
-        <translation type="unfinished"></translation>
+        <translation>состояние %1</translation>
     </message>
     <message>
         <source>fault</source>
-        <translation type="unfinished"></translation>
+        <translation>неисправность</translation>
     </message>
     <message>
         <source>warning</source>
-        <translation type="unfinished"></translation>
+        <translation>предупреждение</translation>
     </message>
     <message>
         <source>stop</source>
-        <translation type="unfinished"></translation>
+        <translation>останов</translation>
     </message>
     <message>
         <source>far from its usual value</source>
-        <translation type="unfinished"></translation>
+        <translation>далеко от обычного значения</translation>
     </message>
     <message>
         <source>boot loader</source>
-        <translation type="unfinished"></translation>
+        <translation>загрузчик</translation>
     </message>
     <message>
         <source>at work</source>
-        <translation type="unfinished"></translation>
+        <translation>работа</translation>
     </message>
     <message>
         <source>%1, serial number %2, program %3, board %4, %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, заводской номер %2, программа %3, плата %4, %5</translation>
     </message>
     <message>
         <source>channel %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>канал %1: %2</translation>
     </message>
     <message>
         <source>relay %1: logical %2, physical %3, error %4, enabled %5</source>
-        <translation type="unfinished"></translation>
+        <translation>реле %1: логическое %2, физическое %3, ошибка %4, включено %5</translation>
     </message>
     <message>
         <source>channel %1: %2 samples, %3 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>канал %1: отсчётов %2, %3 Гц</translation>
     </message>
     <message>
         <source>channel %1: %2 bins, highest %3 at %4 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>канал %1: линий %2, наибольшая %3 на %4 Гц</translation>
     </message>
     <message>
         <source>the module refuses the settings (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); it keeps those it had</source>
-        <translation type="unfinished"></translation>
+        <translation>модуль отказывается от настроек (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); у него остались прежние</translation>
     </message>
 </context>
 </TS>
