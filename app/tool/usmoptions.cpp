@@ -1,5 +1,6 @@
 #include "app/tool/usmoptions.h"
 
+#include "app/tool/numberoption.h"
 #include "app/tool/text.h"
 
 #include <QCommandLineParser>
@@ -10,28 +11,6 @@ namespace {
 
 using Qt::Literals::StringLiterals::operator""_s;
 using std::chrono::seconds;
-
-QString outOfRange(const QString &option, int least, int most, const QString &text)
-{
-    const QString range = u"%1…%2"_s.arg(least).arg(most);
-    return Text::tr("--%1 takes %2, not \"%3\"").arg(option, range, text);
-}
-
-/// Leaves \a value alone if \a option is not there.
-template <typename T>
-QString readNumber(const QCommandLineParser &parser, const QString &option, int least, int most, T &value)
-{
-    if (!parser.isSet(option)) {
-        return {};
-    }
-    bool isNumber = false;
-    const int number = parser.value(option).toInt(&isNumber);
-    if (!isNumber || number < least || number > most) {
-        return outOfRange(option, least, most, parser.value(option));
-    }
-    value = T(number);
-    return {};
-}
 
 QString readMask(const QCommandLineParser &parser, UsmOptions &options)
 {

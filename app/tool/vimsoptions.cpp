@@ -1,5 +1,6 @@
 #include "app/tool/vimsoptions.h"
 
+#include "app/tool/numberoption.h"
 #include "app/tool/text.h"
 
 #include <QCommandLineParser>
@@ -28,22 +29,6 @@ QString jsonKeys()
         "              peakAmplitude, file\n"
         "  settings    setting (settings), done, file; load: writeError, settingsError\n"
         "  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled");
-}
-
-/// Leaves \a value alone if \a option is not there. What is wrong, as a sentence; empty: nothing.
-template <typename T>
-QString readNumber(const QCommandLineParser &parser, const QString &option, int least, int most, T &value)
-{
-    if (!parser.isSet(option)) {
-        return {};
-    }
-    bool isNumber = false;
-    const int number = parser.value(option).toInt(&isNumber);
-    if (!isNumber || number < least || number > most) {
-        return Text::tr("--%1 takes %2, not \"%3\"").arg(option, u"%1…%2"_s.arg(least).arg(most), parser.value(option));
-    }
-    value = T(number);
-    return {};
 }
 
 QString readCommand(const QCommandLineParser &parser, VimsOptions &options)

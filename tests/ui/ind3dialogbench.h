@@ -1,15 +1,13 @@
 #pragma once
 
 #include "core/devices/ind3/ind3simulator.h"
+#include "tests/ui/dialogtester.h"
 #include "tests/ui/servicebench.h"
 #include "ui/service/ind3dialog.h"
 
 #include <QClipboard>
-#include <QComboBox>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QtTest>
 
 namespace gorizont::test {
@@ -22,9 +20,11 @@ inline SensorConfig inclinometer(int index, int number, int address, const QStri
 inline const QList<SensorConfig> two{inclinometer(1, 1, 11), inclinometer(2, 2, 24)};
 
 /// The service window of ИН-Д3 with a real worker on a simulated line, its widgets found by their names.
-class Ind3DialogBench : public QObject
+class Ind3DialogBench : public QObject, public DialogTester
 {
 protected:
+    QWidget *window() const override { return m_dialog; }
+
     void close()
     {
         delete m_dialog.data();
@@ -47,28 +47,6 @@ protected:
         QTRY_VERIFY_WITH_TIMEOUT(find<QLineEdit>("offsetXEdit")->isEnabled(), patience);
     }
 
-    template <typename T> T *find(const char *name) const
-    {
-        T *found = m_dialog->findChild<T *>(QLatin1String(name));
-        if (!found) {
-            qFatal("no widget %s", name);
-        }
-        return found;
-    }
-
-    QPushButton *button(const char *name) const { return find<QPushButton>(name); }
-    QString text(const char *name) const { return find<QLabel>(name)->text(); }
-
-    QList<int> addresses() const
-    {
-        const auto *combo = find<QComboBox>("addressCombo");
-        QList<int> list;
-        for (int i = 0; i < combo->count(); ++i) {
-            list.append(combo->itemData(i).toInt());
-        }
-        return list;
-    }
-
     void type(const char *name, const QString &text) const
     {
         auto *field = find<QLineEdit>(name);
@@ -76,13 +54,6 @@ protected:
         field->selectAll();
         QGuiApplication::clipboard()->setText(text);
         text.isEmpty() ? field->del() : field->paste(); // QTest types Latin only
-    }
-
-    void choose(const char *name, int index) const
-    {
-        auto *combo = find<QComboBox>(name);
-        combo->setCurrentIndex(index);
-        Q_EMIT combo->activated(index);
     }
 
     QByteArray nameOf(int index) const

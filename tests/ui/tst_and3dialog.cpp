@@ -1,4 +1,5 @@
 #include "core/devices/and3/and3simulator.h"
+#include "tests/ui/dialogtester.h"
 #include "tests/ui/servicebench.h"
 #include "ui/service/and3dialog.h"
 
@@ -39,7 +40,7 @@ FaultPlan faults(const QStringList &texts)
 } // namespace
 
 /// The service window of АН-Д3 with a real worker on a simulated line, its widgets found by their names.
-class TestAnd3Dialog : public QObject
+class TestAnd3Dialog : public QObject, public DialogTester
 {
     Q_OBJECT
 
@@ -304,6 +305,7 @@ private Q_SLOTS:
     }
 
 private:
+    QWidget *window() const override { return m_dialog; }
     /// A second passes on the line while the sensor restarts.
     BenchOptions withRestart()
     {
@@ -334,35 +336,6 @@ private:
     {
         start(ini, connected, options, restartTime);
         QTRY_VERIFY_WITH_TIMEOUT(button("systemReset")->isEnabled(), patience);
-    }
-
-    template <typename T> T *find(const char *name) const
-    {
-        T *found = m_dialog->findChild<T *>(QLatin1String(name));
-        if (!found) {
-            qFatal("no widget %s", name);
-        }
-        return found;
-    }
-
-    QPushButton *button(const char *name) const { return find<QPushButton>(name); }
-    QString text(const char *name) const { return find<QLabel>(name)->text(); }
-
-    QList<int> addresses() const
-    {
-        const auto *combo = find<QComboBox>("addressCombo");
-        QList<int> list;
-        for (int i = 0; i < combo->count(); ++i) {
-            list.append(combo->itemData(i).toInt());
-        }
-        return list;
-    }
-
-    void choose(const char *name, int index) const
-    {
-        auto *combo = find<QComboBox>(name);
-        combo->setCurrentIndex(index);
-        Q_EMIT combo->activated(index);
     }
 
     void chooseNew(int address) const

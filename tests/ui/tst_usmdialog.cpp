@@ -41,7 +41,7 @@ private Q_SLOTS:
         QCOMPARE(m->text("deviceChannels"), QStringLiteral("0000359101: Angle_X, Grad\n0000359102: Angle_Y, Grad"));
         QCOMPARE(m->find<QComboBox>("newAddressCombo")->count(), 253);
         QVERIFY(!m->button("writeAddress")->isEnabled()); // nothing is chosen
-        m->choose("addressCombo", 9);
+        m->chooseValue("addressCombo", 9);
         QTRY_COMPARE_WITH_TIMEOUT(m->text("deviceSerial"), QStringLiteral("00003592"), patience);
     }
 
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void changesTheAddress()
     {
         open();
-        m->choose("newAddressCombo", 32);
+        m->chooseValue("newAddressCombo", 32);
         m->bench.forgetSent();
         m->button("writeAddress")->click();
         QCOMPARE(m->question(), QStringLiteral("Give sensor 7 the address 32?"));
@@ -139,8 +139,8 @@ private Q_SLOTS:
     void changesThePort()
     {
         open();
-        m->choose("baudCombo", 19200);
-        m->choose("parityCombo", int(Parity::Even));
+        m->chooseValue("baudCombo", 19200);
+        m->chooseValue("parityCombo", int(Parity::Even));
         m->button("writePort")->click();
         QVERIFY(m->question().startsWith(QStringLiteral("Give sensor 7 the port settings 19200-E-1?")));
         m->answer(true);
@@ -151,7 +151,7 @@ private Q_SLOTS:
             m->bench.device<Simulator>(0, [](const Simulator &device) { return device.ownPort(); });
         QCOMPARE(own, (PortSettings{19200, Parity::Even, StopBits::One}));
         QTRY_VERIFY_WITH_TIMEOUT(m->find<QComboBox>("addressCombo")->isEnabled(), patience);
-        m->choose("addressCombo", 9); // is heard at the settings of the line
+        m->chooseValue("addressCombo", 9); // is heard at the settings of the line
         QTRY_COMPARE_WITH_TIMEOUT(m->text("deviceSerial"), QStringLiteral("00003592"), patience);
     }
 
@@ -175,7 +175,7 @@ private Q_SLOTS:
         m->bench.forgetSent();
         m->answer(false);
         QVERIFY(!m->wasSent("SetPortSettings"));
-        m->choose("baudCombo", 4800);
+        m->chooseValue("baudCombo", 4800);
         m->button("writePort")->click();
         m->answer(true);
         QTRY_VERIFY_WITH_TIMEOUT(m->message().contains(QStringLiteral("sent to all devices")), patience);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/devices/usmisn/usmisnsimulator.h"
+#include "tests/ui/dialogtester.h"
 #include "tests/ui/servicebench.h"
 #include "ui/service/usmdialog.h"
 
@@ -21,7 +22,7 @@ inline SensorConfig usm(int index, int number, int address)
 }
 
 /// The service window of УСМ-ИСН with a real worker on a simulated line, its widgets found by their names.
-class UsmDialogBench
+class UsmDialogBench : public DialogTester
 {
 public:
     UsmDialogBench(
@@ -49,28 +50,9 @@ public:
         QTRY_VERIFY_WITH_TIMEOUT(dialog && button("measure")->isEnabled(), patience);
     }
 
-    template <typename T> T *find(const char *name) const
-    {
-        T *found = dialog->findChild<T *>(QLatin1String(name));
-        if (!found) {
-            qFatal("no widget %s", name);
-        }
-        return found;
-    }
-    QPushButton *button(const char *name) const { return find<QPushButton>(name); }
-    QString text(const char *name) const { return find<QLabel>(name)->text(); }
     QString message() const { return text("serviceMessage"); }
 
-    QList<int> addresses() const
-    {
-        const auto *combo = find<QComboBox>("addressCombo");
-        QList<int> list;
-        for (int i = 0; i < combo->count(); ++i) {
-            list.append(combo->itemData(i).toInt());
-        }
-        return list;
-    }
-    void choose(const char *name, const QVariant &data) const
+    void chooseValue(const char *name, const QVariant &data) const
     {
         auto *combo = find<QComboBox>(name);
         const int index = combo->findData(data);
@@ -113,6 +95,9 @@ public:
 
     ServiceBench bench;
     QPointer<UsmDialog> dialog;
+
+protected:
+    QWidget *window() const override { return dialog; }
 };
 
 } // namespace gorizont::test

@@ -182,6 +182,18 @@ QList<SeriesBucket> SeriesFeed::live(const SeriesKey &key) const
     return isJoined ? live : QList<SeriesBucket>();
 }
 
+Series SeriesFeed::whole(const SeriesKey &key) const
+{
+    Series series = history(key);
+    const UtcTime end = series.buckets.isEmpty() ? UtcTime::min() : series.buckets.last().from + series.step;
+    for (const SeriesBucket &bucket : live(key)) {
+        if (bucket.from > end) {
+            series.buckets.append(bucket);
+        }
+    }
+    return series;
+}
+
 void SeriesFeed::forgetQuestion()
 {
     if (m_watcher) {

@@ -52,6 +52,8 @@ public:
     /// What came since the end of history(); a bucket without a valid value: the curve ends there.
     /// Empty as long as nobody knows what lay between.
     QList<SeriesBucket> live(const SeriesKey &key) const;
+    /// history() and what came since.
+    Series whole(const SeriesKey &key) const;
 
     bool isWaiting() const { return m_watcher != nullptr; }
     /// The source gave no answer the last time it was asked.

@@ -168,18 +168,6 @@ void SpanPage::advance()
     }
 }
 
-Series SpanPage::whole(const SeriesKey &key) const
-{
-    Series series = m_feed->history(key);
-    const UtcTime end = series.buckets.isEmpty() ? UtcTime::min() : series.buckets.last().from + series.step;
-    for (const SeriesBucket &bucket : m_feed->live(key)) {
-        if (bucket.from > end) {
-            series.buckets.append(bucket);
-        }
-    }
-    return series;
-}
-
 Series trimmed(Series series, const TimeSpan &span)
 {
     series.buckets.removeIf(
@@ -189,12 +177,12 @@ Series trimmed(Series series, const TimeSpan &span)
 
 Series SpanPage::first() const
 {
-    return whole(key(m_quantities.first));
+    return m_feed->whole(key(m_quantities.first));
 }
 
 Series SpanPage::second() const
 {
-    return whole(key(m_quantities.second));
+    return m_feed->whole(key(m_quantities.second));
 }
 
 void SpanPage::redraw()

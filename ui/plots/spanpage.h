@@ -57,7 +57,6 @@ private:
     void advance();
     void redraw();
     SeriesKey key(Quantity quantity) const { return {sensor(), quantity}; }
-    Series whole(const SeriesKey &key) const;
 
     const SeriesFeed::Clock m_clock;
     const std::pair<Quantity, Quantity> m_quantities;

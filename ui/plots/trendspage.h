@@ -89,7 +89,6 @@ private:
     void updateHint();
     void showCursors(bool isShown);
     void updateCursors();
-    Series whole(const SeriesKey &key) const; ///< history and edge
 
     void askOldFiles();
     void takeOverview();

@@ -61,7 +61,7 @@ bool TrendsPage::exportTo(const QString &path, Export form)
     QList<CsvCurve> table;
     for (const TrendCurve &curve : m_drawn) {
         const auto index = static_cast<std::size_t>(m_registry.indexOf(curve.key.number));
-        const Series series = whole(curve.key);
+        const Series series = m_feed->whole(curve.key);
         table.append(
             {csvColumn(
                  m_registry.sensors()[index].config, curve.key.quantity, format, series.step.count() > 0,

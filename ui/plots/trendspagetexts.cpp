@@ -9,18 +9,6 @@
 
 namespace gorizont {
 
-Series TrendsPage::whole(const SeriesKey &key) const
-{
-    Series series = m_feed->history(key);
-    const UtcTime end = series.buckets.isEmpty() ? UtcTime::min() : series.buckets.last().from + series.step;
-    for (const SeriesBucket &bucket : m_feed->live(key)) {
-        if (bucket.from > end) {
-            series.buckets.append(bucket);
-        }
-    }
-    return series;
-}
-
 void TrendsPage::showCursors(bool isShown)
 {
     m_readout->setVisible(isShown);
@@ -34,7 +22,7 @@ void TrendsPage::updateCursors()
     }
     QList<CursorModel::Row> rows;
     for (const TrendCurve &curve : m_drawn) {
-        rows.append(cursorRow(curve, whole(curve.key), m_cursors->first(), m_cursors->second()));
+        rows.append(cursorRow(curve, m_feed->whole(curve.key), m_cursors->first(), m_cursors->second()));
     }
     m_readout->setRows(rows, m_unit);
     m_readout->setMoments(m_cursors->first(), m_cursors->second());
