@@ -60,6 +60,7 @@ void PolledSensor::take(const Measurement &measurement, SteadyTime now)
     m_reading.rawMode = measurement.rawMode;
     m_reading.ring = measurement.ring;
     m_reading.vibration = measurement.vibration;
+    m_reading.weather = measurement.weather;
     // What is not valid keeps its last value beside the flag.
     if (isTiltValid(m_reading.status) && measurement.tilt) {
         m_reading.tilt = correctedTilt(*measurement.tilt, m_transform, config());

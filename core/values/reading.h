@@ -2,6 +2,7 @@
 
 #include "core/values/timing.h"
 #include "core/values/vibration.h"
+#include "core/values/weather.h"
 
 #include <QFlags>
 #include <QList>
@@ -93,6 +94,7 @@ struct Measurement
     std::optional<quint16> rawMode; ///< the device's own word
     std::optional<RingProgress> ring;
     std::optional<Vibration> vibration;
+    std::optional<Weather> weather;
     Conditions conditions;
     bool operator==(const Measurement &) const = default;
 };
@@ -107,8 +109,8 @@ struct SensorCounters
 
 /// The state of one sensor after a turn or after a change of its line. Values are the last known ones, corrected by the
 /// sensor's offsets and axes (spec/gorizont.md, section 2); the status word says which of them are valid now.
-/// No member owns memory but the lists of a vibration module, which copies share, so that thousands of readings a second are
-/// copied for little.
+/// No member owns memory but the lists of a vibration module and of a weather station, which copies share, so that thousands
+/// of readings a second are copied for little.
 struct Reading
 {
     int number = 0; ///< N, the sensor
@@ -128,6 +130,7 @@ struct Reading
     std::optional<quint16> rawMode;
     std::optional<RingProgress> ring;
     std::optional<Vibration> vibration; ///< of a vibration module
+    std::optional<Weather> weather; ///< of a weather station
 
     SensorCounters counters;
     std::chrono::microseconds period{0}; ///< between the last two turns; 0: fewer than two so far

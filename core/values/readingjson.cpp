@@ -2,6 +2,7 @@
 
 #include "core/values/statusword.h"
 #include "core/values/vibrationjson.h"
+#include "core/values/weatherjson.h"
 
 #include <QDateTime>
 #include <QJsonDocument>
@@ -49,6 +50,9 @@ void insertValues(QJsonObject &object, const Reading &reading)
     }
     if (reading.vibration) {
         insertVibration(object, *reading.vibration);
+    }
+    if (reading.weather) {
+        insertWeather(object, *reading.weather);
     }
 }
 

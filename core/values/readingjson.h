@@ -13,7 +13,8 @@ namespace gorizont {
 /// `status`, and of what is valid in this reading `tiltX`, `tiltY` (arc-seconds), `temperature` (°C), `heaterPower` (%),
 /// `fanFrequency` (1/s), `accelMax`, `accelRmsX`, `accelRmsY` (mm/s²), `accelDirection` (degrees), `linkX`, `linkY`
 /// (mm, of the sensor's link of a chain), `displacementX`, `displacementY` (mm, over the foot of the chain),
-/// `rawStatus`, and of a vibration module `channels` and `relays` (core/values/vibrationjson).
+/// `rawStatus`, and of a vibration module `channels` and `relays` (core/values/vibrationjson), of a weather station `digital`,
+/// `parameters` and `events` (core/values/weatherjson).
 QByteArray readingToJson(const Reading &reading, const SensorConfig &sensor, const LineConfig &line);
 
 /// ISO 8601, UTC, ms: `2018-02-07T15:33:03.250Z`.
