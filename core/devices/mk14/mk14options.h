@@ -19,4 +19,7 @@ struct Options
     static Options from(const SensorConfig &sensor);
 };
 
+/// A control word, decimal or hexadecimal with 0x. Empty: \a text is no number of at most 32 bits.
+std::optional<quint32> outputWord(const QString &text);
+
 } // namespace gorizont::mk14

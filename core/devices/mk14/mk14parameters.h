@@ -33,6 +33,8 @@ struct ParameterFile
     QList<int> badLines; ///< 1…: neither comment nor parameter; left out
 };
 
+constexpr qint64 longestParameterFile = 1024 * 1024; ///< bytes; what is behind them is not read
+
 /// \a bytes in UTF-8, Windows-1251 or CP866.
 ParameterFile parametersInFile(const QByteArray &bytes);
 

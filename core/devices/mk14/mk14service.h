@@ -41,6 +41,8 @@ public:
     Result<void> sendFile(Line &line, int address, const QByteArray &name, const QByteArray &text) const;
 
 private:
+    Result<Weather> asked(Line &line, int address, int command, quint32 word) const;
+
     Options m_options;
     Timing m_timing;
     Clock m_now;
