@@ -3,6 +3,7 @@
 #include "core/modbus/accelerationmap.h"
 #include "core/modbus/extendedmap.h"
 #include "core/modbus/tiltmap.h"
+#include "core/modbus/windmap.h"
 
 #include <QCoreApplication>
 
@@ -25,7 +26,7 @@ QString UnreachableSensors::sentence() const
 
 UnitImages::UnitImages(const ModbusConfig &config)
 {
-    for (const UnitLayout *layout : {&tiltMap(), &accelerationMap(), &extendedMap()}) {
+    for (const UnitLayout *layout : {&tiltMap(), &windMap(), &accelerationMap(), &extendedMap()}) {
         const int limit = layout->limit(layout->base(config.base));
         const SensorSlots slotMap(config.lines, config.rules, layout->member, config.packing, limit);
         m_images.emplace_back(*layout, config.base, slotMap);
