@@ -45,6 +45,7 @@ void HistoryFiles::close()
 {
     m_data.close();
     m_acceleration.close();
+    m_vibration.close();
     m_log.close();
     for (auto &[number, file] : m_samples) {
         file.close();
@@ -59,6 +60,11 @@ void HistoryFiles::writeData(QDate today, const QByteArray &record)
 void HistoryFiles::writeAcceleration(QDate today, const QByteArray &record)
 {
     write(HistoryStream::Acceleration, m_acceleration, monthFileName(today, MonthFile::Acceleration), record);
+}
+
+void HistoryFiles::writeVibration(QDate today, const QByteArray &record)
+{
+    write(HistoryStream::Vibration, m_vibration, monthFileName(today, MonthFile::Vibration), record);
 }
 
 void HistoryFiles::write(HistoryStream stream, RecordFile &file, const QString &name, const QByteArray &record)
