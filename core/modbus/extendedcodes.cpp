@@ -19,7 +19,7 @@ bool hasAcceleration(const SlotState &s)
 
 std::span<const SlotBit> extendedFlags()
 {
-    static constexpr std::array<SlotBit, 10> bits{{
+    static constexpr std::array<SlotBit, 11> bits{{
         {0, QT_TRANSLATE_NOOP("RegisterMap", "the slot belongs to a sensor"),
          [](const SlotState &s) { return !s.slot.isHole(); }},
         {1, QT_TRANSLATE_NOOP("RegisterMap", "the sensor is switched on"),
@@ -36,13 +36,15 @@ std::span<const SlotBit> extendedFlags()
          [](const SlotState &s) { return s.reading.rawMode.has_value(); }},
         {9, QT_TRANSLATE_NOOP("RegisterMap", "packets of samples are counted"),
          [](const SlotState &s) { return s.reading.ring.has_value(); }},
+        {10, QT_TRANSLATE_NOOP("RegisterMap", "channels_at says where its channels are"),
+         [](const SlotState &s) { return s.areaAt != 0; }},
     }};
     return bits;
 }
 
 std::span<const SlotBit> extendedQuantities()
 {
-    static constexpr std::array<SlotBit, 4> bits{{
+    static constexpr std::array<SlotBit, 5> bits{{
         {0, QT_TRANSLATE_NOOP("RegisterMap", "tilt"), [](const SlotState &s) { return s.slot.sensor.measuresTilt; }},
         {1, QT_TRANSLATE_NOOP("RegisterMap", "temperature"),
          [](const SlotState &s) { return s.slot.sensor.measuresTemperature; }},
@@ -50,6 +52,8 @@ std::span<const SlotBit> extendedQuantities()
          [](const SlotState &s) { return s.slot.sensor.measuresAcceleration; }},
         {3, QT_TRANSLATE_NOOP("RegisterMap", "thermostat"),
          [](const SlotState &s) { return s.slot.sensor.hasThermostat; }},
+        {4, QT_TRANSLATE_NOOP("RegisterMap", "vibration"),
+         [](const SlotState &s) { return s.slot.sensor.type == SensorType::LVims; }},
     }};
     return bits;
 }
