@@ -3,8 +3,9 @@
 #include "app/tool/output.h"
 #include "app/tool/session.h"
 #include "app/tool/text.h"
+#include "core/values/vibrationkinds.h"
+#include "core/values/vibrationtext.h"
 
-#include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -20,49 +21,17 @@ using namespace lvims;
 
 constexpr int decimals = 4;
 
-QString stateText(ChannelState state)
-{
-    switch (state) {
-    case ChannelState::Good: return Text::tr("good");
-    case ChannelState::ShortCircuit: return Text::tr("the line of the sensor is shorted");
-    case ChannelState::Break: return Text::tr("the line of the sensor is broken");
-    case ChannelState::NoData: return Text::tr("no data");
-    }
-    return Text::tr("state %1").arg(static_cast<int>(state));
-}
-
 QString numberText(const std::optional<double> &value, int places)
 {
     return value ? fixed(*value, places) : none;
 }
 
-/// What of fault, warning and stop is raised; empty: nothing.
-QString raised(const VibrationMeasurement &measurement)
-{
-    QStringList words;
-    const auto add = [&words](const std::optional<bool> &flag, const QString &word) {
-        if (flag.value_or(false)) {
-            words.append(word);
-        }
-    };
-    add(measurement.fault, Text::tr("fault"));
-    add(measurement.warning, Text::tr("warning"));
-    add(measurement.stop, Text::tr("stop"));
-    if (measurement.isBaselineExceeded) {
-        words.append(Text::tr("far from its usual value"));
-    }
-    return words.join(u", "_s);
-}
-
 QString lineOf(const VibrationMeasurement &measurement)
 {
-    const MeasurementKind *kind = kindOf(measurement.type);
-    const QString name = kind ? QCoreApplication::translate("LVims", kind->name) : QString();
-    const QString unit = kind ? QString::fromUtf8(kind->unit) : QString();
     QStringList parts{
-        u"  %1: %2 %3"_s.arg(measurement.index).arg(measurement.type).arg(name),
-        numberText(measurement.value, decimals) + u' ' + unit};
-    if (const QString words = raised(measurement); !words.isEmpty()) {
+        u"  %1: %2 %3"_s.arg(measurement.index).arg(measurement.type).arg(measurementName(measurement.type)),
+        numberText(measurement.value, decimals) + u' ' + MeasurementUnits().of(measurement.type)};
+    if (const QString words = vibrationtext::raised(measurement); !words.isEmpty()) {
         parts.append(words);
     }
     return parts.join(u"; "_s);
@@ -92,7 +61,7 @@ QString textOf(const Vibration &vibration)
 {
     QStringList lines;
     for (const VibrationChannel &channel : vibration.channels) {
-        lines.append(Text::tr("channel %1: %2").arg(channel.channel).arg(stateText(channel.state)));
+        lines.append(Text::tr("channel %1: %2").arg(channel.channel).arg(vibrationtext::stateText(channel)));
         for (const VibrationMeasurement &measurement : channel.measurements) {
             lines.append(lineOf(measurement));
         }

@@ -1,6 +1,7 @@
 #include "core/alarms/alarmboard.h"
 
 #include "core/values/statustext.h"
+#include "core/values/vibrationtext.h"
 
 #include <algorithm>
 
@@ -16,6 +17,12 @@ bool fails(LineState state)
 bool isOfPort(StatusCode code)
 {
     return code == StatusCode::PortOff || code == StatusCode::PortError;
+}
+
+QString lineFaultsOf(const Reading &reading)
+{
+    const bool isOfLines = statusCode(reading.status) == StatusCode::TransducerSilent && reading.vibration;
+    return isOfLines ? vibrationtext::lineFaults(*reading.vibration) : QString();
 }
 
 } // namespace
@@ -50,14 +57,17 @@ AlarmBoard::Change AlarmBoard::update(const QList<Reading> &batch)
         const StatusCode code = statusCode(reading.status);
         const bool saysNothing = isOfPort(code) || (code == StatusCode::Good && !reading.isAnswer);
         if (code != sensor->code && !saysNothing) {
-            updateSensor(*sensor, code, reading.time, change);
+            updateSensor(*sensor, reading, change);
+        } else if (code == StatusCode::TransducerSilent && reading.vibration) {
+            updateLineFaults(*sensor, reading, change);
         }
     }
     return change;
 }
 
-void AlarmBoard::updateSensor(Sensor &sensor, StatusCode code, UtcTime now, Change &change)
+void AlarmBoard::updateSensor(Sensor &sensor, const Reading &reading, Change &change)
 {
+    const StatusCode code = statusCode(reading.status);
     const Line &line = m_lines[sensor.port];
     if (line.state == LineState::Service) {
         return;
@@ -74,8 +84,19 @@ void AlarmBoard::updateSensor(Sensor &sensor, StatusCode code, UtcTime now, Chan
     alarm.code = code;
     alarm.title = sensorTitle(config, line.config);
     alarm.place = config.place;
-    alarm.began = now;
+    alarm.lineFaults = lineFaultsOf(reading);
+    alarm.began = reading.time;
     raise(std::move(alarm), sensor.alarm, change);
+}
+
+void AlarmBoard::updateLineFaults(const Sensor &sensor, const Reading &reading, Change &change)
+{
+    const auto standing = m_standing.find(sensor.alarm);
+    const QString faults = lineFaultsOf(reading);
+    if (standing != m_standing.end() && standing->second.lineFaults != faults) {
+        standing->second.lineFaults = faults;
+        change.isAny = true;
+    }
 }
 
 AlarmBoard::Change AlarmBoard::updateLine(int port, LineState state, UtcTime now)

@@ -14,6 +14,7 @@ namespace gorizont {
 ///   acknowledged; only a good answer ends it. "No answer yet" says nothing: it neither raises nor ends.
 /// - Codes 1 and 2 are those of a port. One alarm stands for all sensors of the port, as long as the line fails; another
 ///   way of failing is the same alarm. It takes the place of what its sensors had raised.
+/// - Of a vibration module without a sensor that works, the alarm says which lines are shorted or broken by now.
 /// - Sensors and ports that the ini switches off are not watched, nor is a port without sensors that are on.
 /// - While a port is in service mode its sensors raise nothing and end nothing.
 class AlarmBoard
@@ -55,7 +56,8 @@ private:
         quint64 alarm = 0; ///< 0: none stands
     };
 
-    void updateSensor(Sensor &sensor, StatusCode code, UtcTime now, Change &change);
+    void updateSensor(Sensor &sensor, const Reading &reading, Change &change);
+    void updateLineFaults(const Sensor &sensor, const Reading &reading, Change &change);
     void raise(Alarm alarm, quint64 &slot, Change &change);
     void end(quint64 &slot, Change &change);
     void endSensorsOf(const Line &line, Change &change);

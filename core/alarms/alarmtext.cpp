@@ -51,7 +51,8 @@ QString meaning(const Alarm &alarm)
 {
     return alarm.isWholePort()
         ? AlarmText::tr("%1; sensors without data: %2").arg(portMeaning(alarm)).arg(alarm.sensors)
-        : statusText(alarm.code);
+        : alarm.lineFaults.isEmpty() ? statusText(alarm.code)
+                                     : alarm.lineFaults;
 }
 
 QString advice(const Alarm &alarm)
@@ -65,6 +66,11 @@ QString advice(const Alarm &alarm)
         return AlarmText::tr("Check the terminating resistor and the cable for interference, and that no two sensors "
                              "have the same address.");
     case StatusCode::TransducerSilent:
+        if (!alarm.lineFaults.isEmpty()) {
+            return AlarmText::tr(
+                "Check the cable and the connectors from the module to the sensors of these channels. A "
+                "channel without a sensor can be switched off in the settings of the module.");
+        }
         return AlarmText::tr("Check the supply voltage and the cable of the transducer, restart the sensor. If that "
                              "does not help, it needs repair.");
     case StatusCode::TransducerCrc: return AlarmText::tr("Restart the sensor. If that does not help, it needs repair.");

@@ -249,7 +249,8 @@ void LinePoller::addStatusChange(const PolledSensor &sensor, quint16 before, Tur
     if (is == StatusCode::Good) {
         report.events.append({JournalKind::On, PollerText::tr("%1 works normally again").arg(title), number});
     } else {
-        report.events.append({JournalKind::Error, QStringLiteral("%1: %2").arg(title, statusText(is)), number});
+        report.events.append(
+            {JournalKind::Error, QStringLiteral("%1: %2").arg(title, statusText(sensor.reading())), number});
     }
 }
 

@@ -45,6 +45,7 @@ void HistoryFiles::close()
 {
     m_data.close();
     m_acceleration.close();
+    m_vibration.close();
     m_weather.close();
     m_log.close();
     for (auto &[number, file] : m_samples) {
@@ -65,6 +66,11 @@ void HistoryFiles::writeAcceleration(QDate today, const QByteArray &record)
 void HistoryFiles::writeWeather(QDate today, const QByteArray &records)
 {
     write(HistoryStream::Weather, m_weather, monthFileName(today, MonthFile::Weather), records);
+}
+
+void HistoryFiles::writeVibration(QDate today, const QByteArray &record)
+{
+    write(HistoryStream::Vibration, m_vibration, monthFileName(today, MonthFile::Vibration), record);
 }
 
 void HistoryFiles::write(HistoryStream stream, RecordFile &file, const QString &name, const QByteArray &record)

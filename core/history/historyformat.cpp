@@ -44,11 +44,6 @@ QByteArray heaterField(const SensorColumns &sensor)
                                                                      : field(0.0, 1);
 }
 
-QByteArray beginning(const QDateTime &local, const QByteArray &channels)
-{
-    return local.toString(u"hh:mm:ss dd.MM.yy").toLatin1() + tab + channels;
-}
-
 void appendTilt(QByteArray &record, const SensorColumns &sensor)
 {
     const Reading &reading = sensor.reading;
@@ -114,9 +109,14 @@ QByteArray statusDigits(quint16 word)
     return text;
 }
 
+QByteArray recordBeginning(const QDateTime &local, const QByteArray &channels)
+{
+    return local.toString(u"hh:mm:ss dd.MM.yy").toLatin1() + tab + channels;
+}
+
 QByteArray dataRecord(const QDateTime &local, const QByteArray &channels, const QList<SensorColumns> &sensors)
 {
-    QByteArray record = beginning(local, channels);
+    QByteArray record = recordBeginning(local, channels);
     for (const SensorColumns &sensor : sensors) {
         if (sensor.config.measuresTilt) {
             appendTilt(record, sensor);
@@ -127,7 +127,7 @@ QByteArray dataRecord(const QDateTime &local, const QByteArray &channels, const 
 
 QByteArray accelerationRecord(const QDateTime &local, const QByteArray &channels, const QList<SensorColumns> &sensors)
 {
-    QByteArray record = beginning(local, channels);
+    QByteArray record = recordBeginning(local, channels);
     for (const SensorColumns &sensor : sensors) {
         if (sensor.config.measuresAcceleration) {
             appendAcceleration(record, sensor.reading);
@@ -148,7 +148,7 @@ QString logRecord(const JournalEntry &entry, const QTimeZone &zone)
 
 QString monthFileName(QDate month, MonthFile file)
 {
-    static constexpr std::array names{"data", "adata", "log", "wdata"};
+    static constexpr std::array names{"data", "adata", "log", "vdata", "wdata"};
     return month.toString(u"yyyy_MM_") + QLatin1String(names.at(static_cast<std::size_t>(file)))
         + QStringLiteral(".txt");
 }

@@ -1,5 +1,6 @@
 #include "core/history/historywriter.h"
 
+#include "core/history/vibrationformat.h"
 #include "core/history/weatherformat.h"
 #include "core/values/statusword.h"
 
@@ -61,6 +62,7 @@ HistoryWriter::HistoryWriter(const HistoryConfig &config, Clock clock, QObject *
     for (qsizetype i = 0; i < m_sensors.size(); ++i) {
         m_indexOfNumber.insert(m_sensors.at(i).config.number, i);
         m_hasAccelerometers |= m_sensors.at(i).config.measuresAcceleration;
+        m_hasVibration |= hasVibrationColumns(m_sensors.at(i).config);
         m_hasWeatherStations |= m_sensors.at(i).config.measuresWeather;
     }
     m_tickTimer.setSingleShot(true);
@@ -167,6 +169,9 @@ void HistoryWriter::writeRecords()
     }
     if (m_config.savesFiles && m_hasAccelerometers) {
         m_files.writeAcceleration(local.date(), accelerationRecord(local, channels, m_sensors));
+    }
+    if (m_config.savesFiles && m_hasVibration) {
+        m_files.writeVibration(local.date(), vibrationRecord(local, channels, m_sensors));
     }
     if (m_config.savesFiles && m_hasWeatherStations) {
         m_files.writeWeather(local.date(), weatherRecords(local, channels, m_sensors));

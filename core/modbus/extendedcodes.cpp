@@ -24,7 +24,7 @@ bool hasWeather(const SlotState &s)
 
 std::span<const SlotBit> extendedFlags()
 {
-    static constexpr std::array<SlotBit, 11> bits{{
+    static constexpr std::array<SlotBit, 12> bits{{
         {0, QT_TRANSLATE_NOOP("RegisterMap", "the slot belongs to a sensor"),
          [](const SlotState &s) { return !s.slot.isHole(); }},
         {1, QT_TRANSLATE_NOOP("RegisterMap", "the sensor is switched on"),
@@ -42,13 +42,15 @@ std::span<const SlotBit> extendedFlags()
         {9, QT_TRANSLATE_NOOP("RegisterMap", "packets of samples are counted"),
          [](const SlotState &s) { return s.reading.ring.has_value(); }},
         {10, QT_TRANSLATE_NOOP("RegisterMap", "wind, weather and digital inputs are of now"), hasWeather},
+        {11, QT_TRANSLATE_NOOP("RegisterMap", "channels_at says where its channels are"),
+         [](const SlotState &s) { return s.areaAt != 0; }},
     }};
     return bits;
 }
 
 std::span<const SlotBit> extendedQuantities()
 {
-    static constexpr std::array<SlotBit, 5> bits{{
+    static constexpr std::array<SlotBit, 6> bits{{
         {0, QT_TRANSLATE_NOOP("RegisterMap", "tilt"), [](const SlotState &s) { return s.slot.sensor.measuresTilt; }},
         {1, QT_TRANSLATE_NOOP("RegisterMap", "temperature"),
          [](const SlotState &s) { return s.slot.sensor.measuresTemperature; }},
@@ -58,6 +60,8 @@ std::span<const SlotBit> extendedQuantities()
          [](const SlotState &s) { return s.slot.sensor.hasThermostat; }},
         {4, QT_TRANSLATE_NOOP("RegisterMap", "wind and weather"),
          [](const SlotState &s) { return s.slot.sensor.measuresWeather; }},
+        {5, QT_TRANSLATE_NOOP("RegisterMap", "vibration"),
+         [](const SlotState &s) { return s.slot.sensor.type == SensorType::LVims; }},
     }};
     return bits;
 }

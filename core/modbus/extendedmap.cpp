@@ -1,6 +1,7 @@
 #include "core/modbus/extendedmap.h"
 
 #include "core/modbus/extendedcodes.h"
+#include "core/modbus/vibrationmap.h"
 #include "core/values/wind.h"
 
 #include <QtGlobal>
@@ -185,7 +186,7 @@ constexpr std::array<SlotField, 3> directory{{
     {3, UInt16, 1, "flags", "", QT_TRANSLATE_NOOP("RegisterMap", "Flags of the slot"), flags},
 }};
 
-constexpr std::array<SlotField, 43> block{{
+constexpr std::array<SlotField, 47> block{{
     {0, UInt32, 1, "number", "", QT_TRANSLATE_NOOP("RegisterMap", "Site number N; 0: an empty slot"), number},
     {2, UInt16, 1, "port", "", QT_TRANSLATE_NOOP("RegisterMap", "Number of the port in the ini, 1…16"),
      [](const SlotState &s) { return Value(s.slot.sensor.port); }},
@@ -274,6 +275,15 @@ constexpr std::array<SlotField, 43> block{{
     {92, UInt32, 1, "digital", "",
      QT_TRANSLATE_NOOP("RegisterMap", "Digital inputs of a weather station, bit 0 the first"),
      [](const SlotState &s) { return Value(hasWeather(s) ? s.reading.weather->digital : 0); }},
+    {94, UInt16, 1, "channels_at", "",
+     QT_TRANSLATE_NOOP("RegisterMap", "Register where channel 0 of an L-VIMS starts; 0: the sensor has no channels"),
+     [](const SlotState &s) { return Value(s.areaAt); }},
+    {95, UInt16, 1, "channel_count", "", QT_TRANSLATE_NOOP("RegisterMap", "How many channels there are"),
+     [](const SlotState &s) { return Value(s.areaAt != 0 ? vibrationarea::channels : 0); }},
+    {96, UInt16, 1, "channel_step", "", QT_TRANSLATE_NOOP("RegisterMap", "Registers of a channel"),
+     [](const SlotState &s) { return Value(s.areaAt != 0 ? vibrationarea::channelStep : 0); }},
+    {97, UInt16, 1, "relays_at", "", QT_TRANSLATE_NOOP("RegisterMap", "Register where the relays of an L-VIMS start"),
+     [](const SlotState &s) { return Value(s.areaAt != 0 ? s.areaAt + vibrationarea::relays : 0); }},
 }};
 
 static_assert(areApart(head, directoryStart) && areApart(directory, directoryStride) && areApart(block, blockStride));
@@ -302,6 +312,7 @@ const UnitLayout &extendedMap()
         nullptr,
         head,
         parts,
+        &vibrationAreas(),
     };
     return layout;
 }

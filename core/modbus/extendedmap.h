@@ -10,6 +10,8 @@ namespace gorizont {
 ///     0 …        head: what the map is and where it lies, clocks, channel word, counts by state
 ///     100 + 4·slot     directory: N, status and flags of that slot, to find a sensor and to watch many at once
 ///     3000 + 100·slot  block of a sensor, read with one request
+///     65000 − 500·k    channels and relays of the L-VIMS of number k in the order of the slots, 0…59 (vibrationmap.h); its
+///                      block says where: 94…97. What lies between the blocks and these areas is reserved
 ///
 /// Slots follow the rule of units 3 and 6 (ModbusPacking), so that a site has one order everywhere: ByType in ascending
 /// N, switched-off sensors included; ByNumber slot N − 1. Both the directory and the first register of a block name the
@@ -17,8 +19,7 @@ namespace gorizont {
 ///
 /// Addresses do not move when the map grows. What is not in the tables is reserved and reads 0; new fields take reserved
 /// registers and leave `version` as it is, which changes only if a field changes its place or meaning. Kept free in a
-/// block: 72…79 displacement, 94…99 where to find what has more values than a block holds
-/// (the channels of L-VIMS); in the head 40…99.
+/// block: 72…79 displacement, 98…99; in the head 40…99.
 ///
 /// A float without a value, or with one that is not valid now, is NaN; an integer is 0 and a flag says so. (Units 3 and 6
 /// keep the last value instead, as the manual wants.)

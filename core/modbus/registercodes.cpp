@@ -2,7 +2,9 @@
 
 #include "core/modbus/extendedcodes.h"
 #include "core/modbus/markdowntable.h"
+#include "core/modbus/vibrationmap.h"
 #include "core/values/statustext.h"
+#include "core/values/vibrationkinds.h"
 
 #include <QCoreApplication>
 
@@ -63,10 +65,10 @@ QString channelCodes()
     return table.text();
 }
 
-QString bits(std::span<const SlotBit> rows)
+template <typename Bit> QString bits(std::span<const Bit> rows)
 {
     MarkdownTable table({Text::tr("Bit"), Text::tr("If it is set")});
-    for (const SlotBit &row : rows) {
+    for (const Bit &row : rows) {
         table.add({QString::number(row.bit), Text::tr(row.meaning)});
     }
     return table.text();
@@ -81,6 +83,15 @@ QString types()
     return table.text();
 }
 
+QString measurementTypes()
+{
+    MarkdownTable table({Text::tr("Code"), Text::tr("Meaning"), Text::tr("Unit, if MeasUnit does not say another")});
+    for (const MeasurementKind &kind : measurementKinds()) {
+        table.add({QString::number(kind.type), measurementName(kind.type), MeasurementUnits().of(kind.type)});
+    }
+    return table.text();
+}
+
 } // namespace
 
 QString registerCodes()
@@ -88,8 +99,10 @@ QString registerCodes()
     return QStringLiteral("## %1\n\n").arg(Text::tr("Words and codes")) + title(Text::tr("Status word of the sensor"))
         + statusCodes() + statusBits() + title(Text::tr("Channel word: port i in bits 2(i−1) and 2(i−1)+1"))
         + channelCodes() + title(Text::tr("Unit 1: flags")) + bits(extendedFlags())
-        + title(Text::tr("Unit 1: quantities")) + bits(extendedQuantities()) + title(Text::tr("Unit 1: type"))
-        + types();
+        + title(Text::tr("Unit 1: quantities")) + bits(extendedQuantities()) + title(Text::tr("Unit 1: type")) + types()
+        + title(Text::tr("Unit 1: flags of a channel of L-VIMS")) + bits(channelFlags())
+        + title(Text::tr("Unit 1: flags of a measurement of L-VIMS")) + bits(measurementFlags())
+        + title(Text::tr("Unit 1: type of a measurement of L-VIMS")) + measurementTypes();
 }
 
 } // namespace gorizont

@@ -175,6 +175,23 @@ QString slotTables(const UnitImage &unit, const SlotPart &part, const QList<Line
     return isShort ? text + common.text() : text;
 }
 
+/// A table for every sensor that has an area.
+QString areaTables(const UnitImage &unit, const QList<LineConfig> &lines)
+{
+    QString text;
+    for (int slot = 0; slot < unit.slotMap().count(); ++slot) {
+        if (unit.areaAt(slot) == 0) {
+            continue;
+        }
+        MarkdownTable own(fieldTitles(unit.layout()));
+        for (const SlotField &field : unit.layout().areas->fields) {
+            own.add(fieldCells(unit, field, unit.areaAt(slot) - unit.block().base()));
+        }
+        text += heading(4, fullName(lines, unit.slotMap().at(slot).sensor)) + own.text();
+    }
+    return text.isEmpty() ? text : heading(3, Text::tr(unit.layout().areas->meaning)) + text;
+}
+
 QString orderText(RegisterOrder order)
 {
     return order == RegisterOrder::LowByteFirst
@@ -202,7 +219,7 @@ QString unitText(const UnitImage &unit, const ModbusConfig &config)
     for (const SlotPart &part : layout.parts) {
         text += slotTables(unit, part, config.lines);
     }
-    return text;
+    return text + areaTables(unit, config.lines);
 }
 
 } // namespace

@@ -54,27 +54,43 @@ void writeClockFields(
 
 } // namespace
 
-int UnitLayout::limit(int base) const
+int UnitLayout::limit(int base, int areaCount) const
 {
+    const int room = areaCount > 0 ? areas->start(areaCount - 1) : RegisterBlock::addressSpace - base;
     int most = RegisterBlock::addressSpace;
     for (auto part = parts.begin(); part != parts.end(); ++part) {
-        const int end = std::next(part) == parts.end() ? RegisterBlock::addressSpace - base : std::next(part)->start;
+        const int end = std::next(part) == parts.end() ? room : std::next(part)->start;
         most = std::min(most, (end - part->start) / part->stride);
     }
     return most;
 }
 
-UnitImage::UnitImage(const UnitLayout &layout, int configuredBase, const SensorSlots &slotMap)
+int UnitLayout::areaCount(const QList<LineConfig> &lines) const
+{
+    int count = 0;
+    for (const LineConfig &line : lines) {
+        for (const SensorConfig &sensor : line.sensors) {
+            count += areas != nullptr && areas->has(sensor) ? 1 : 0;
+        }
+    }
+    return areas != nullptr ? std::min(count, areas->most) : 0;
+}
+
+UnitImage::UnitImage(const UnitLayout &layout, int configuredBase, const SensorSlots &slotMap, int areaCount)
     : m_layout(&layout)
     , m_slots(slotMap)
-    , m_block(layout.base(configuredBase), layout.size(slotMap.count()))
+    , m_block(layout.base(configuredBase), layout.size(slotMap.count(), areaCount))
     , m_hasClocks(anyClocks(layout))
 {
     const Moment now = clocks();
     m_head.slotCount = m_slots.count();
+    int given = 0;
     m_states.reserve(static_cast<std::size_t>(m_slots.count()));
     for (int slot = 0; slot < m_slots.count(); ++slot) {
         m_states.emplace_back(m_slots.at(slot));
+        if (given < areaCount && layout.areas->has(m_slots.at(slot).sensor)) {
+            m_states.back().areaAt = m_block.base() + layout.areas->start(given++);
+        }
         m_head.count(m_states.back(), 1);
         writeSlot(slot, now);
     }
@@ -105,8 +121,12 @@ void UnitImage::writeHead(const Moment &now)
 
 void UnitImage::writeSlot(int slot, const Moment &now)
 {
+    const SlotState &state = m_states[static_cast<std::size_t>(slot)];
     for (const SlotPart &part : m_layout->parts) {
-        writeFields(part.fields, part.start + part.stride * slot, m_states[static_cast<std::size_t>(slot)], now);
+        writeFields(part.fields, part.start + part.stride * slot, state, now);
+    }
+    if (state.areaAt != 0) {
+        writeFields(m_layout->areas->fields, state.areaAt - m_block.base(), state, now);
     }
 }
 

@@ -15,11 +15,13 @@ class UnitImage
 {
 public:
     /// \a configuredBase is ModbusBase. The layout lives as long as the program.
-    UnitImage(const UnitLayout &layout, int configuredBase, const SensorSlots &slotMap);
+    UnitImage(const UnitLayout &layout, int configuredBase, const SensorSlots &slotMap, int areaCount);
 
     const UnitLayout &layout() const { return *m_layout; }
     const SensorSlots &slotMap() const { return m_slots; }
     const RegisterBlock &block() const { return m_block; }
+    /// Register where the area of \a slot starts; 0: it has none.
+    int areaAt(int slot) const { return m_states.at(static_cast<std::size_t>(slot)).areaAt; }
 
     void setChannels(quint32 word);
     /// O(1), in place; the reading of a sensor that is not in the unit is ignored.

@@ -27,9 +27,10 @@ QString UnreachableSensors::sentence() const
 UnitImages::UnitImages(const ModbusConfig &config)
 {
     for (const UnitLayout *layout : {&tiltMap(), &windMap(), &accelerationMap(), &extendedMap()}) {
-        const int limit = layout->limit(layout->base(config.base));
+        const int areaCount = layout->areaCount(config.lines);
+        const int limit = layout->limit(layout->base(config.base), areaCount);
         const SensorSlots slotMap(config.lines, config.rules, layout->member, config.packing, limit);
-        m_images.emplace_back(*layout, config.base, slotMap);
+        m_images.emplace_back(*layout, config.base, slotMap, areaCount);
         if (!slotMap.unreachable().isEmpty()) {
             m_unreachable.units.append(layout->unit);
             m_unreachable.numbers.append(slotMap.unreachable());

@@ -33,6 +33,21 @@ struct SlotPart
     std::span<const SlotField> fields;
 };
 
+/// Registers of those sensors that have more values than their part of a slot holds: an area for each of them in the order of
+/// the slots, the first at the end of the address space and every other below the one before, so that they stay where they are
+/// when slots are added.
+struct AreaPart
+{
+    const char *meaning; ///< source text of context RegisterMap
+    int first; ///< register of the first area, counted from the start of the block
+    int step; ///< registers of an area
+    int most; ///< areas; sensors beyond have none
+    bool (*has)(const SensorConfig &sensor);
+    std::span<const SlotField> fields;
+
+    int start(int ordinal) const { return first - step * ordinal; }
+};
+
 /// What stands where in one unit: the table that its image and its document are made from.
 struct UnitLayout
 {
@@ -45,13 +60,19 @@ struct UnitLayout
     SensorSlots::Member member; ///< which sensors have a slot; nullptr: all
     std::span<const HeadField> head; ///< from the start of the block
     std::span<const SlotPart> parts; ///< in ascending order of start; the last one is open
+    const AreaPart *areas = nullptr; ///< nullptr: none
 
-    /// Registers of a block with \a slotCount slots.
-    int size(int slotCount) const { return parts.back().start + parts.back().stride * slotCount; }
+    /// Registers of a block with \a slotCount slots and \a areaCount areas; what lies between them is reserved.
+    int size(int slotCount, int areaCount) const
+    {
+        return areaCount > 0 ? areas->first + areas->step : parts.back().start + parts.back().stride * slotCount;
+    }
     /// The register where the block starts.
     int base(int configured) const { return followsBase ? configured : 0; }
-    /// How many slots there is room for below register 65536 when the block starts at \a base.
-    int limit(int base) const;
+    /// How many slots there is room for below register 65536, or below \a areaCount areas, when the block starts at \a base.
+    int limit(int base, int areaCount) const;
+    /// How many of the sensors of \a lines have an area.
+    int areaCount(const QList<LineConfig> &lines) const;
 };
 
 } // namespace gorizont

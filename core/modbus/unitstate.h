@@ -15,6 +15,7 @@ struct SlotState
     std::optional<UtcTime> answeredAt; ///< of the last answer; empty: none so far
     /// The values of the last answer still stand: it was the last turn, or too few have failed since to change the status.
     bool isCurrent = false;
+    int areaAt = 0; ///< register where its area starts; 0: it has none
 
     explicit SlotState(const SensorSlot &own)
         : slot(own)

@@ -1,5 +1,7 @@
 #include "core/values/statustext.h"
 
+#include "core/values/vibrationtext.h"
+
 #include <QCoreApplication>
 
 namespace gorizont {
@@ -30,6 +32,14 @@ QString statusText(StatusCode code)
     case StatusCode::Thermostat: return StatusText::tr("The thermostat takes too long to settle");
     }
     return StatusText::tr("Unknown error");
+}
+
+QString statusText(const Reading &reading)
+{
+    const StatusCode code = statusCode(reading.status);
+    const bool isOfLines = code == StatusCode::TransducerSilent && reading.vibration;
+    const QString faults = isOfLines ? vibrationtext::lineFaults(*reading.vibration) : QString();
+    return faults.isEmpty() ? statusText(code) : faults;
 }
 
 QString sensorTitle(const SensorConfig &sensor, const LineConfig &line)

@@ -28,6 +28,8 @@ struct VibrationMeasurement
     std::optional<double> baseline; ///< as percent; empty: there is none
     bool isBaselineExceeded = false;
     bool operator==(const VibrationMeasurement &) const = default;
+
+    bool isRaised() const { return fault.value_or(false) || warning.value_or(false) || stop.value_or(false); }
 };
 
 struct VibrationChannel
@@ -37,6 +39,23 @@ struct VibrationChannel
     bool isEnabled = true; ///< by the settings of the module
     QList<VibrationMeasurement> measurements; ///< those in use, ascending by index
     bool operator==(const VibrationChannel &) const = default;
+
+    /// Fault, warning or stop of a measurement.
+    bool isAnythingRaised() const
+    {
+        for (const VibrationMeasurement &measurement : measurements) {
+            if (isEnabled && measurement.isRaised()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// The channel is in use, and the line to its sensor is shorted or broken.
+    bool hasLineFault() const
+    {
+        return isEnabled && (state == ChannelState::ShortCircuit || state == ChannelState::Break);
+    }
 };
 
 /// One of the outputs of a vibration module.
@@ -56,6 +75,18 @@ struct Vibration
     QList<VibrationChannel> channels; ///< ascending
     QList<Relay> relays; ///< ascending
     bool operator==(const Vibration &) const = default;
+
+    /// Every channel in use has a fault of its line, and there is at least one.
+    bool isWithoutSensors() const
+    {
+        int enabled = 0;
+        int faulty = 0;
+        for (const VibrationChannel &channel : channels) {
+            enabled += channel.isEnabled ? 1 : 0;
+            faulty += channel.hasLineFault() ? 1 : 0;
+        }
+        return enabled > 0 && faulty == enabled;
+    }
 };
 
 } // namespace gorizont

@@ -47,6 +47,7 @@ public:
         m_trouble = Trouble::None;
         Measurement measurement;
         measurement.vibration = m_vibration;
+        measurement.conditions.setFlag(Condition::TransducerSilent, m_vibration.isWithoutSensors());
         return measurement;
     }
 

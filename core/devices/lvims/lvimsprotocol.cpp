@@ -1,7 +1,5 @@
 #include "core/devices/lvims/lvimsprotocol.h"
 
-#include <QCoreApplication>
-
 #include <cmath>
 
 namespace gorizont::lvims {
@@ -102,37 +100,6 @@ QList<Relay> relaysOf(quint32 state)
         relays.append({i, bit(0), bit(1), bit(2), bit(3)});
     }
     return relays;
-}
-
-/// 13 to 15: the manual prints 13 and 15 alike and leaves 14 out (spec/l-vims.md, 6).
-const std::array<MeasurementKind, 17> &measurementKinds()
-{
-    static constexpr std::array<MeasurementKind, 17> kinds{{
-        {0, QT_TRANSLATE_NOOP("LVims", "not used"), ""},
-        {1, QT_TRANSLATE_NOOP("LVims", "acceleration"), "mm/s²"},
-        {2, QT_TRANSLATE_NOOP("LVims", "velocity"), "mm/s"},
-        {3, QT_TRANSLATE_NOOP("LVims", "displacement"), "µm"},
-        {4, QT_TRANSLATE_NOOP("LVims", "gap"), "µm"},
-        {5, QT_TRANSLATE_NOOP("LVims", "speed of rotation"), "rpm"},
-        {6, QT_TRANSLATE_NOOP("LVims", "amplitude of a harmonic of acceleration"), "mm/s²"},
-        {7, QT_TRANSLATE_NOOP("LVims", "phase of a harmonic of acceleration"), "°"},
-        {8, QT_TRANSLATE_NOOP("LVims", "amplitude of a harmonic of velocity"), "mm/s"},
-        {9, QT_TRANSLATE_NOOP("LVims", "phase of a harmonic of velocity"), "°"},
-        {10, QT_TRANSLATE_NOOP("LVims", "amplitude of a harmonic of displacement"), "µm"},
-        {11, QT_TRANSLATE_NOOP("LVims", "phase of a harmonic of displacement"), "°"},
-        {12, QT_TRANSLATE_NOOP("LVims", "constant part of acceleration"), "mm/s²"},
-        {13, QT_TRANSLATE_NOOP("LVims", "RMS of a harmonic of acceleration"), "mm/s²"},
-        {14, QT_TRANSLATE_NOOP("LVims", "RMS of a harmonic of velocity"), "mm/s"},
-        {15, QT_TRANSLATE_NOOP("LVims", "RMS of a harmonic of displacement"), "µm"},
-        {16, QT_TRANSLATE_NOOP("LVims", "largest deviation of the shaft from its mean"), "µm"},
-    }};
-    return kinds;
-}
-
-const MeasurementKind *kindOf(int type)
-{
-    const bool isKnown = type >= 0 && type < static_cast<int>(measurementKinds().size());
-    return isKnown ? &measurementKinds()[static_cast<std::size_t>(type)] : nullptr;
 }
 
 } // namespace gorizont::lvims

@@ -74,16 +74,4 @@ VibrationChannel channelOf(const Words &chst, int channel, std::optional<double>
 
 QList<Relay> relaysOf(quint32 state);
 
-/// The names of a type of measurement, and what it is measured in by this program. English; the window translates it.
-struct MeasurementKind
-{
-    int type = 0; ///< MEAS_TYPE
-    const char *name = "";
-    const char *unit = ""; ///< mm/s², mm/s, µm, rpm, degrees
-};
-const std::array<MeasurementKind, 17> &measurementKinds();
-
-/// Empty: a type that the manual does not have.
-const MeasurementKind *kindOf(int type);
-
 } // namespace gorizont::lvims

@@ -43,6 +43,35 @@ class TestAlarmBoard : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// spec/gorizont.md, section 5: what the dispatcher reads when no sensor of a vibration module works.
+    void theLinesOfAVibrationModule()
+    {
+        AlarmBoard board = openBoard();
+        Reading reading = turn(1, 0x5700, true, 5);
+        reading.vibration = Vibration{
+            {{0, ChannelState::ShortCircuit, true, {}},
+             {1, ChannelState::Break, true, {}},
+             {2, ChannelState::Good, false, {}}},
+            {}};
+        QCOMPARE(board.update({reading}).raised.size(), 1);
+        const Alarm alarm = board.unacknowledged().first();
+        QCOMPARE(
+            alarmtext::meaning(alarm),
+            QStringLiteral("Line of the sensor shorted: channel 0; line of the sensor broken: channel 1"));
+        QVERIFY(
+            alarmtext::advice(alarm).startsWith(QStringLiteral("Check the cable and the connectors from the module")));
+        QVERIFY(!board.update({reading}).isAny);
+        reading.vibration->channels[0].state = ChannelState::Break;
+        const AlarmBoard::Change change = board.update({reading});
+        QVERIFY(change.isAny);
+        QVERIFY(change.raised.isEmpty()); // the same alarm, in other words
+        QCOMPARE(
+            alarmtext::meaning(board.unacknowledged().first()),
+            QStringLiteral("Line of the sensor broken: channel 0, 1"));
+        board.update({turn(1, 0, true, 9)});
+        QVERIFY(board.unacknowledged().isEmpty());
+    }
+
     /// Manual 000, section 11.2: all codes but 0 ask for a message; 1 and 2 are those of the port.
     void everyCodeOfASensorIsAMessage_data()
     {

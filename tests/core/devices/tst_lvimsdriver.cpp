@@ -181,6 +181,22 @@ private Q_SLOTS:
         QCOMPARE(site.notes(), QStringList{u"Channel 1: the sensor works again."_s});
     }
 
+    /// Code 5 of the status word: every channel in use is shorted or broken.
+    void noSensorWorks()
+    {
+        Site site;
+        for (int i = 0; i < 4; ++i) {
+            site.line.module().setChannelStatus(i, i % 2 + 1);
+        }
+        site.line.module().update();
+        site.requestsOfAPoll();
+        QCOMPARE(site.last->conditions, Conditions(Condition::TransducerSilent));
+        site.line.module().setChannelStatus(2, 0);
+        site.line.module().update();
+        site.requestsOfAPoll();
+        QCOMPARE(site.last->conditions, Conditions());
+    }
+
     /// What was not read because of an exception in the middle is read in the next turn.
     void anExceptionInTheMiddle()
     {

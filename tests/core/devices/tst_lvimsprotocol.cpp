@@ -1,5 +1,6 @@
 #include "core/devices/lvims/lvimsprotocol.h"
 #include "core/values/vibrationjson.h"
+#include "core/values/vibrationkinds.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -198,11 +199,11 @@ private Q_SLOTS:
     void everyTypeHasItsNumber()
     {
         for (int type = 0; type <= 16; ++type) {
-            QVERIFY(kindOf(type));
-            QCOMPARE(kindOf(type)->type, type);
+            QVERIFY(measurementKind(type));
+            QCOMPARE(measurementKind(type)->type, type);
         }
-        QVERIFY(!kindOf(17));
-        QVERIFY(!kindOf(-1));
+        QVERIFY(!measurementKind(17));
+        QVERIFY(!measurementKind(-1));
     }
 
     void json()

@@ -85,4 +85,15 @@ SensorConfig accelerometer(int number)
     return sensor;
 }
 
+SensorConfig vibrationModule(int number)
+{
+    SensorConfig sensor;
+    sensor.number = number;
+    sensor.index = 1;
+    sensor.isOn = true;
+    sensor.type = SensorType::LVims;
+    sensor.model = QStringLiteral("L-VIMS");
+    return sensor;
+}
+
 } // namespace gorizont::test

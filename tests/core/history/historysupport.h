@@ -31,5 +31,6 @@ SampleBlock samples(int number, UtcTime start, qint16 first, int count, bool fol
 
 SensorConfig tiltSensor(int number, bool hasThermometer = false);
 SensorConfig accelerometer(int number);
+SensorConfig vibrationModule(int number);
 
 } // namespace gorizont::test

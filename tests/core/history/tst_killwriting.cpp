@@ -21,6 +21,7 @@ namespace {
 
 constexpr int samplesPerBlock = 32;
 constexpr int packetsPerPair = 3;
+const QString vibrationFile = QStringLiteral("2018_02_vdata.txt");
 
 void report(const QByteArray &line)
 {
@@ -36,7 +37,7 @@ int writeUntilKilled(const QString &folder, int round)
     LineConfig line;
     line.index = 1;
     line.isOn = true;
-    line.sensors = {accelerometer(1)};
+    line.sensors = {accelerometer(1), vibrationModule(2)};
     HistoryConfig config;
     config.folder = folder;
     config.saveInterval = 10ms;
@@ -85,6 +86,7 @@ private Q_SLOTS:
 private:
     QByteArrayList runAndKill(int round);
     void checkText(const QString &name, const QByteArray &before, const QByteArrayList &reported);
+    void checkVibration(const QByteArray &before, qsizetype reported);
     void checkSamples(int round, qsizetype blocks);
     QByteArray content(const QString &name) const { return readAll(m_folder.filePath(name)); }
 
@@ -98,6 +100,7 @@ void TestKillWriting::nothingReportedIsLost()
     for (int round = 0; round < 20; ++round) {
         const QByteArray dataBefore = content(data);
         const QByteArray logBefore = content(log);
+        const QByteArray vibrationBefore = content(vibrationFile);
         QByteArrayList dataLines;
         QByteArrayList logLines;
         for (const QByteArray &line : runAndKill(round)) {
@@ -111,6 +114,7 @@ void TestKillWriting::nothingReportedIsLost()
         QVERIFY(!logLines.isEmpty());
         checkText(data, dataBefore, dataLines);
         checkText(log, logBefore, logLines);
+        checkVibration(vibrationBefore, dataLines.size());
         checkSamples(round, logLines.size());
         if (QTest::currentTestFailed()) {
             qWarning("round %d", round);
@@ -147,6 +151,20 @@ void TestKillWriting::checkText(const QString &name, const QByteArray &before, c
     QCOMPARE(written.first(reported.size()), reported);
     for (const QByteArray &line : written) {
         QVERIFY2(line.endsWith('\r'), line);
+    }
+}
+
+/// A record of every module beside each of `_data`, whole: 2 + 70 fields.
+void TestKillWriting::checkVibration(const QByteArray &before, qsizetype reported)
+{
+    RecordFile file;
+    QVERIFY(file.prepare(m_folder.filePath(vibrationFile)) != RecordFile::State::Failed);
+    const QByteArray after = content(vibrationFile);
+    QVERIFY(after.startsWith(before));
+    const QByteArrayList written = lines(after.mid(before.size()));
+    QVERIFY(written.size() == reported || written.size() == reported + 1);
+    for (const QByteArray &line : written) {
+        QVERIFY2(line.endsWith('\r') && line.count('\t') == 71, line);
     }
 }
 

@@ -117,6 +117,10 @@ std::optional<double> known(int number, const QString &field)
         {QStringLiteral("flags"), flags.value(number)},
         {QStringLiteral("status"), 0x0010},
         {QStringLiteral("quantities"), hasAcceleration ? 7 : 1},
+        {QStringLiteral("channels_at"), 0},
+        {QStringLiteral("channel_count"), 0},
+        {QStringLiteral("channel_step"), 0},
+        {QStringLiteral("relays_at"), 0},
         {QStringLiteral("tilt_x_arcsec"), 3600 * set(number, QStringLiteral("tilt_x"))},
         {QStringLiteral("tilt_y_arcsec"), 3600 * set(number, QStringLiteral("tilt_y"))}};
     return own.contains(field) ? own.value(field) : set(number, field);
@@ -233,8 +237,8 @@ private Q_SLOTS:
             images.update(readingOf(number));
         }
         const QList<Row> rows = rowsOf(registerDocument(server));
-        // Units 3 and 6: the channel word, 4 sensors × 4, 2 sensors × 5. Unit 1: head 25, 4 × (3 + 36).
-        QCOMPARE(rows.size(), 1 + 16 + 1 + 10 + 25 + 156);
+        // Units 3 and 6: the channel word, 4 sensors × 4, 2 sensors × 5. Unit 1: head 25, 4 × (3 + 40).
+        QCOMPARE(rows.size(), 1 + 16 + 1 + 10 + 25 + 172);
         QSet<std::pair<int, int>> seen;
         for (const Row &row : rows) {
             const int address = row.cells.at(0).toInt();
