@@ -27,14 +27,18 @@ QString jsonKeys()
         "  waveform    channel, id, samples, rate (Hz), disturbances, file\n"
         "  spectrum    channel, spectrum (5000, 200), bins, rate (Hz), disturbances, peakFrequency (Hz),\n"
         "              peakAmplitude, file\n"
-        "  settings    setting (settings), done, file; load: writeError, settingsError\n"
+        "  settings    setting (settings), done, file; load: writeError, settingsError; show: values (name: value in\n"
+        "              use), differences: name, current, changed; set, apply, flash: changes: name, before, after;\n"
+        "              applied, flash, writeError, settingsError\n"
+        "  reload, reboot  setting, done; reload: writeError, settingsError\n"
         "  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled");
 }
 
 QString readCommand(const QCommandLineParser &parser, VimsOptions &options)
 {
     const QStringList words = parser.positionalArguments();
-    const QStringList names{u"info"_s, u"state"_s, u"waveform"_s, u"spectrum"_s, u"settings"_s};
+    const QStringList names{u"info"_s,     u"state"_s,  u"waveform"_s, u"spectrum"_s,
+                            u"settings"_s, u"reload"_s, u"reboot"_s};
     const qsizetype at = words.size() == 1 ? names.indexOf(words.constFirst()) : -1;
     if (at < 0) {
         return Text::tr("vims takes one of %1; see gorizont-tool vims --help").arg(names.join(u", "_s));
@@ -67,15 +71,46 @@ QString readKind(const QCommandLineParser &parser, VimsOptions &options)
     return type == u"200" || type == u"5000" ? QString() : Text::tr("--type takes 5000 or 200, not \"%1\"").arg(type);
 }
 
-QString readFiles(const QCommandLineParser &parser, VimsOptions &options)
+/// Values are tried on settings that are all 0, so that a wrong one is told before the module is asked.
+QString readChanges(const QCommandLineParser &parser, VimsOptions &options)
+{
+    QList<quint16> image(lvims::settingsSize, 0);
+    for (const QString &text : parser.values(u"set"_s)) {
+        const qsizetype equals = text.indexOf(u'=');
+        const lvims::Setting *setting = equals > 0 ? lvims::settingNamed(text.left(equals)) : nullptr;
+        if (!setting) {
+            return Text::tr("--set takes NAME=VALUE with a name that --show prints, not \"%1\"").arg(text);
+        }
+        const QString value = text.mid(equals + 1);
+        if (const QString problem = lvims::change(image, *setting, value); !problem.isEmpty()) {
+            return problem;
+        }
+        options.changes.append({*setting, value});
+    }
+    return {};
+}
+
+QString readSettings(const QCommandLineParser &parser, VimsOptions &options)
 {
     options.out = parser.value(u"out"_s);
     options.saveTo = parser.value(u"save"_s);
     options.loadFrom = parser.value(u"load"_s);
-    const bool isOne = options.saveTo.isEmpty() != options.loadFrom.isEmpty();
-    return options.command == VimsOptions::Command::Settings && !isOne
-        ? Text::tr("vims settings takes --save FILE or --load FILE")
-        : QString();
+    options.shows = parser.isSet(u"show"_s);
+    options.applies = parser.isSet(u"apply"_s);
+    options.toFlash = parser.isSet(u"flash"_s);
+    if (options.command != VimsOptions::Command::Settings) {
+        return {};
+    }
+    if (const QString problem = readChanges(parser, options); !problem.isEmpty()) {
+        return problem;
+    }
+    const bool isLoad = !options.loadFrom.isEmpty();
+    const bool changes = !options.changes.isEmpty() || (!isLoad && (options.applies || options.toFlash));
+    const int wanted = int(!options.saveTo.isEmpty()) + int(isLoad) + int(options.shows) + int(changes);
+    return wanted == 1
+        ? QString()
+        : Text::tr("vims settings takes one of --show, --save FILE, --load FILE and --set NAME=VALUE, the "
+                   "last with --apply and --flash, which may stand alone");
 }
 
 } // namespace
@@ -88,7 +123,9 @@ void describeVims(QCommandLineParser &parser)
                    "state      prints what it measures, and its relays\n"
                    "waveform   lets it keep a waveform, fetches it and writes it to --out\n"
                    "spectrum   the same for its spectrum up to 5000 Hz or 200 Hz\n"
-                   "settings   writes its settings to a file, or a file to its settings")
+                   "settings   shows its settings, changes single ones, or writes them to a file and back\n"
+                   "reload     lets it use the settings of its flash again\n"
+                   "reboot     restarts it")
         + u"\n\n"_s
         + Text::tr("A .csv has the columns time (s), code and value, or frequency (Hz) and amplitude. A .wav is scaled "
                    "so that its largest value is 1.")
@@ -106,7 +143,12 @@ void describeVims(QCommandLineParser &parser)
         {u"out"_s, Text::tr("waveform, spectrum: the file, .csv or, of a waveform, .wav."), u"FILE"_s},
         {u"save"_s, Text::tr("settings: writes them to this file."), u"FILE"_s},
         {u"load"_s, Text::tr("settings: writes this file to the module and lets it use them."), u"FILE"_s},
-        {u"flash"_s, Text::tr("settings --load: keeps them for the next start of the module too.")},
+        {u"show"_s, Text::tr("settings: prints those in use, and those prepared where they differ.")},
+        {u"set"_s,
+         Text::tr("settings: prepares one, such as CH1.SENSOR_K=100 or CH0.MEAS3.IIR_LP.FC=200.5; may be repeated."),
+         u"NAME=VALUE"_s},
+        {u"apply"_s, Text::tr("settings: lets the module use those prepared.")},
+        {u"flash"_s, Text::tr("settings: keeps them for the next start of the module too.")},
         {u"yes"_s, Text::tr("Writes without asking.")},
         {u"json"_s, Text::tr("Prints JSON.")},
         {u"lang"_s, Text::tr("Language of the program."), u"ru|en"_s},
@@ -125,9 +167,8 @@ std::variant<VimsOptions, QString> vimsOptions(const QCommandLineParser &parser)
         readNumber(parser, u"timeout"_s, 1, 60'000, timeout),
         readNumber(parser, u"channel"_s, 0, lvims::channelCount - 1, options.channel),
         readKind(parser, options),
-        readFiles(parser, options)};
+        readSettings(parser, options)};
     options.timing.readCommand = std::chrono::milliseconds(timeout);
-    options.toFlash = parser.isSet(u"flash"_s);
     options.isYes = parser.isSet(u"yes"_s);
     options.isJson = parser.isSet(u"json"_s);
     problems.removeAll(QString());

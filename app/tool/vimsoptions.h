@@ -13,7 +13,7 @@ namespace gorizont::tool {
 /// The command line of `gorizont-tool vims`. Everything in it is within its range.
 struct VimsOptions
 {
-    enum class Command : quint8 { Info, State, Waveform, Spectrum, Settings };
+    enum class Command : quint8 { Info, State, Waveform, Spectrum, Settings, Reload, Reboot };
 
     Command command = Command::Info;
     LineConfig line; ///< --device
@@ -22,9 +22,13 @@ struct VimsOptions
     int channel = 0; ///< 0…3
     lvims::Capture::Kind kind = lvims::Capture::Kind::Waveform; ///< of waveform and spectrum
     QString out; ///< of waveform and spectrum; empty: nothing is written
-    QString saveTo; ///< of settings; one of the two is given
+    /// Of settings: one of these four is given.
+    QString saveTo;
     QString loadFrom;
-    bool toFlash = false; ///< of settings --load
+    bool shows = false;
+    QList<std::pair<lvims::Setting, QString>> changes; ///< --set, each of which its setting takes; or only what follows
+    bool applies = false; ///< of settings: lets the module use those prepared
+    bool toFlash = false; ///< of settings
     bool isYes = false; ///< writes without asking
     bool isJson = false;
 };

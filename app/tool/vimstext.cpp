@@ -8,6 +8,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -95,24 +96,14 @@ QString textOf(const Capture &capture, Capture::Kind kind)
         .arg(fixed(highest.amplitude, decimals), fixed(highest.frequency, 3));
 }
 
-QString textOf(const std::pair<quint16, quint32> &errors, Fault fault)
+QString textOf(const SettingErrors &errors, Fault fault)
 {
-    return errors.first == 0 && errors.second == 0
+    return errors == SettingErrors(0, 0)
         ? faultText(fault)
         : Text::tr("the module refuses the settings (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); it keeps those it "
                    "had")
               .arg(errors.first)
               .arg(errors.second);
-}
-
-void insertIdentity(QJsonObject &object, const Identity &identity)
-{
-    object.insert(u"name"_s, identity.name);
-    object.insert(u"serial"_s, identity.serial);
-    object.insert(u"firmware"_s, identity.firmware);
-    object.insert(u"board"_s, identity.board);
-    object.insert(u"mode"_s, identity.mode);
-    insertErrors(object, {identity.writeError, identity.settingsError});
 }
 
 void insertCapture(QJsonObject &object, const Capture &capture, Capture::Kind kind)
@@ -131,42 +122,6 @@ void insertCapture(QJsonObject &object, const Capture &capture, Capture::Kind ki
     object.insert(u"bins"_s, qint64(information.size / 2));
     object.insert(u"peakFrequency"_s, highest.frequency);
     object.insert(u"peakAmplitude"_s, highest.amplitude);
-}
-
-void insertErrors(QJsonObject &object, const std::pair<quint16, quint32> &errors)
-{
-    object.insert(u"writeError"_s, errors.first);
-    object.insert(u"settingsError"_s, qint64(errors.second));
-}
-
-QByteArray settingsFile(const Identity &identity, const QList<quint16> &values)
-{
-    QJsonObject object{{u"type"_s, u"L-VIMS"_s}};
-    insertIdentity(object, identity);
-    QJsonArray registers;
-    for (const quint16 value : values) {
-        registers.append(value);
-    }
-    object.insert(u"registers"_s, registers);
-    return QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
-}
-
-std::optional<QList<quint16>> settingsIn(const QByteArray &bytes)
-{
-    const QJsonObject object = QJsonDocument::fromJson(bytes).object();
-    const QJsonArray registers = object.value(u"registers"_s).toArray();
-    if (object.value(u"type"_s).toString() != u"L-VIMS" || registers.size() != settingsSize) {
-        return std::nullopt;
-    }
-    QList<quint16> values;
-    for (const QJsonValue &value : registers) {
-        const int number = value.toInt(-1);
-        if (number < 0 || number > 65535) {
-            return std::nullopt;
-        }
-        values.append(static_cast<quint16>(number));
-    }
-    return values;
 }
 
 } // namespace gorizont::tool

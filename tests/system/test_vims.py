@@ -102,8 +102,36 @@ class Vims(unittest.TestCase):
         self.assertEqual((code, found[0]["done"], found[0]["fault"]), (REFUSED, False, "refused"))
         self.assertNotEqual(found[0]["settingsError"], 0)
 
+    def test_single_settings(self):
+        code, found = tool(self.port, "settings", "--show")
+        self.assertEqual((code, len(found[0]["values"]), found[0]["differences"]), (GOOD, 175, []))
+        self.assertEqual(found[0]["values"]["IP_ADDR"], "192.168.1.10")
+        self.assertEqual(found[0]["values"]["CH2.MEAS1.TYPE"], "2")
+        change = ("settings", "--set", "WF_ACQ_TIME=100", "--set", "ch1.sensor_k=12,5")
+        self.assertEqual(tool(self.port, *change)[0], REFUSED)  # nobody agreed
+        code, found = tool(self.port, *change, "--yes")
+        self.assertEqual((code, found[0]["applied"], found[0]["writeError"]), (GOOD, False, 0))
+        prepared = [{"name": "WF_ACQ_TIME", "current": "500", "changed": "100"},
+                    {"name": "CH1.SENSOR_K", "current": "100", "changed": "12.5"}]
+        self.assertEqual(tool(self.port, "settings", "--show")[1][0]["differences"], prepared)
+        self.assertEqual(tool(self.port, "waveform")[1][0]["samples"], 12800)  # only prepared
+        code, found = tool(self.port, "settings", "--apply", "--yes")
+        self.assertEqual((code, [c["after"] for c in found[0]["changes"]]), (GOOD, ["100", "12.5"]))
+        self.assertEqual(tool(self.port, "waveform")[1][0]["samples"], 2560)
+        self.assertEqual(tool(self.port, "reload", "--yes")[0], GOOD)
+        self.assertEqual(tool(self.port, "waveform")[1][0]["samples"], 12800)
+        code, found = tool(self.port, "settings", "--set", "CUSTOM_NAME=Вентилятор", "--flash", "--yes")
+        self.assertEqual((code, found[0]["flash"]), (GOOD, True))
+        self.assertEqual(tool(self.port, "reboot")[0], REFUSED)  # nobody agreed
+        self.assertEqual(tool(self.port, "reboot", "--yes")[0], GOOD)
+        values = tool(self.port, "settings", "--show")[1][0]["values"]
+        self.assertEqual(values["CUSTOM_NAME"], "Вентилятор")
+
     def test_usage(self):
-        for wrong in ((), ("dance",), ("waveform", "--channel", 4), ("spectrum", "--type", 300), ("settings",)):
+        for wrong in ((), ("dance",), ("waveform", "--channel", 4), ("spectrum", "--type", 300), ("settings",),
+                      ("settings", "--set", "WF_ACQ_TIME"), ("settings", "--set", "WF_ACQ_TIME=4001"),
+                      ("settings", "--set", "NO_SUCH=1"), ("settings", "--show", "--apply"),
+                      ("settings", "--load", "x", "--set", "WF_ACQ_TIME=1")):
             self.assertEqual(tool(self.port, *wrong)[0], USAGE, wrong)
         self.assertEqual(tool(free_port(), "info")[0], NO_ANSWER)
         self.assertEqual(tool(self.port, "info", "--unit", 9)[0], NO_ANSWER)
