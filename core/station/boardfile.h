@@ -37,6 +37,8 @@ struct BoardConfig
     std::optional<ParameterId> frequency; ///< LCD: what the frequency input measures
     QList<BoardInput> analogue;
     QList<BoardInput> digital; ///< `O` is the sensor of liquid precipitation
+    int digitalPlaces = 0; ///< length of the string of digital inputs, with the places where nothing is connected
+    int firstBit = 0; ///< of DIG, where digital input 0 of this board stands
     QList<BoardInput> order; ///< of processing; channel is the place
 
     /// Hz: what one analogue channel gets of switchRate.
@@ -50,8 +52,12 @@ inline constexpr QChar precipitationCode{u'O'};
 /// ACK.LCD: 14 values, ACK.FWL: 12, or 10 without the two that only the AI16-5A has. One value a line, the rest comment, when
 /// there are as many lines; else the fields of all lines one after another. In the letter strings a dash, a point, an underscore and
 /// (in quotes) a blank are places where nothing is connected; the n-th time of a letter is the parameter n of that code, counted
-/// through the analogue inputs, the frequency input and the digital ones. Empty: nothing is usable.
+/// through the analogue inputs, the frequency input and the digital ones. Empty: the number of values is wrong.
 std::optional<BoardConfig> readBoard(
     BoardKind kind, const QString &file, const QByteArray &bytes, Complaints &complaints);
+
+/// The letters and the bits of \a board count on behind those of \a first: T of the second board is T 2 when the first one has a T.
+/// An L-154 keeps 8 bits for itself, also when its string is shorter.
+void countOn(BoardConfig &board, const BoardConfig &first);
 
 } // namespace gorizont::station

@@ -52,6 +52,7 @@ struct Corrections
     CorrectionTable meteo; ///< METEO: by temperature, added to the physical value
     CorrectionTable correct; ///< CORRECT: by the measured value, added to the physical value
     RealCorrection real; ///< REAL: by both, added to the physical value
+    bool isFaulty = false; ///< a line cannot be used: the parameter gets no values, for they would be wrong
 
     bool isEmpty() const { return input.isEmpty() && meteo.isEmpty() && correct.isEmpty() && real.isEmpty(); }
     bool operator==(const Corrections &) const = default;

@@ -10,6 +10,8 @@
 
 namespace gorizont::station {
 
+constexpr qsizetype mostParameters = 255; ///< LEN of an answer is a byte (manual 004, section 3.6)
+
 /// `%n.df` of ACK.PAR.
 struct OutputFormat
 {

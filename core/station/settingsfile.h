@@ -20,7 +20,7 @@ struct StationSettings
     int frequencyTicks = 18; ///< line 24: ticks of 1/18.2 s over which the pulses of a port are averaged, 1…
     std::chrono::seconds calibration{0}; ///< line 26
     std::chrono::seconds averaging{600}; ///< line 28: of parameters that give none, 1…86400
-    double goodPercent = 50; ///< line 29: a mean needs more than this share of good values, 0…100
+    double goodPercent = 50; ///< line 29: a mean needs more than this share of good values, 0…99.9
     bool isProtocolOff = false; ///< line 30: no protocol file
     std::chrono::seconds watchdog{0}; ///< line 31; 0: off
     bool isTest = false; ///< line 32: physical = measured, nothing is checked

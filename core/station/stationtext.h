@@ -28,6 +28,7 @@ struct Record
 {
     int line = 0; ///< 1…
     QList<Field> fields;
+    qsizetype firstField = 0; ///< how many fields of the line stand before these
     bool isQuoteOpen = false; ///< a double quote without its partner: the last field reaches to the end of the line
     bool operator==(const Record &) const = default;
 };
