@@ -6,6 +6,8 @@
 #include "core/devices/ind3/ind3simulator.h"
 #include "core/devices/lvims/lvimsdriver.h"
 #include "core/devices/lvims/lvimssimulator.h"
+#include "core/devices/mk14/mk14driver.h"
+#include "core/devices/mk14/mk14simulator.h"
 #include "core/devices/usmisn/usmisndriver.h"
 #include "core/devices/usmisn/usmisnsimulator.h"
 
@@ -23,11 +25,12 @@ struct Entry
     std::unique_ptr<SimulatedDevice> (*makeSimulator)(const SensorConfig &, quint64 seed);
 };
 
-constexpr std::array<Entry, 4> catalog{{
+constexpr std::array<Entry, 5> catalog{{
     {SensorType::InD, ind3::makeDriver, ind3::makeSimulator},
     {SensorType::AnD3, and3::makeDriver, and3::makeSimulator},
     {SensorType::UsmIsn, usmisn::makeDriver, usmisn::makeSimulator},
     {SensorType::LVims, lvims::makeDriver, lvims::makeSimulator},
+    {SensorType::Mk14, mk14::makeDriver, mk14::makeSimulator},
 }};
 
 const Entry *find(SensorType type)

@@ -7,9 +7,11 @@
 
 #include <QByteArray>
 #include <QDeadlineTimer>
+#include <QHash>
 #include <QString>
 
 #include <atomic>
+#include <optional>
 
 namespace gorizont {
 
@@ -85,6 +87,15 @@ public:
     /// The next request waits until the line was silent for this long, whoever sends it.
     void requireQuiet(std::chrono::microseconds silence) { m_requiredQuiet = silence; }
 
+    /// The word that polling repeats to the device at an address because the user has set it there since the program started, such
+    /// as the outputs of a weather station. Empty: nobody has. Thread of the line; it outlives closing and opening.
+    std::optional<quint32> standingWord(int address) const
+    {
+        const auto found = m_standingWords.constFind(address);
+        return found == m_standingWords.constEnd() ? std::nullopt : std::optional(*found);
+    }
+    void setStandingWord(int address, quint32 word) { m_standingWords.insert(address, word); }
+
     /// Ends the running and every later wait with Fault::Cancelled until resume(). Thread-safe.
     void interrupt() { m_isInterrupted.store(true, std::memory_order_relaxed); }
     void resume() { m_isInterrupted.store(false, std::memory_order_relaxed); }
@@ -126,6 +137,7 @@ private:
     quint64 m_bytesReceived = 0;
     quint64 m_writeErrors = 0;
     Error m_lastError;
+    QHash<int, quint32> m_standingWords; ///< by address
 };
 
 } // namespace gorizont
