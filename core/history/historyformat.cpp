@@ -72,11 +72,6 @@ QByteArray historyField(const std::optional<double> &value, int decimals)
     return field(value, decimals);
 }
 
-QByteArray recordBeginning(const QDateTime &local, const QByteArray &channels)
-{
-    return beginning(local, channels);
-}
-
 QDateTime localTime(UtcTime time, const QTimeZone &zone)
 {
     const auto milliseconds = std::chrono::floor<std::chrono::milliseconds>(time).time_since_epoch().count();

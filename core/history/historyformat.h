@@ -41,9 +41,6 @@ QByteArray recordBeginning(const QDateTime &local, const QByteArray &channels);
 /// The code in decimal, then the other bits in groups of four: `10 0000 0001 0100`.
 QByteArray statusDigits(quint16 word);
 
-/// Time and channel word: what every record of numbers begins with.
-QByteArray recordBeginning(const QDateTime &local, const QByteArray &channels);
-
 /// One record of `_data`, CRLF included: every sensor in \a sensors that measures tilt, in the order given. A value that
 /// never was leaves its field empty, and so does one that is not a number.
 QByteArray dataRecord(const QDateTime &local, const QByteArray &channels, const QList<SensorColumns> &sensors);
