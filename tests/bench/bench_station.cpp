@@ -77,6 +77,7 @@ double wholeSecond()
     StationPipeline pipeline(stationWith(std::chrono::seconds(600)));
     SecondAccumulator accumulator(parameters);
     std::vector<std::vector<double>> supply;
+    supply.reserve(10);
     for (int i = 0; i < 10; ++i) {
         supply.push_back(samples(i));
     }

@@ -54,4 +54,16 @@ inline station::StationConfig stationOf(const QList<station::ParameterConfig> &p
     return config;
 }
 
+/// A and M; directions count from 1 m/s.
+inline station::StationConfig windStation()
+{
+    station::ParameterConfig speed = parameter('M');
+    speed.unit = QStringLiteral("m/s");
+    speed.limits = {0.3, 60};
+    speed.error = 0.7;
+    station::ParameterConfig direction = parameter('A');
+    direction.limits = {0, 360};
+    return stationOf({direction, speed});
+}
+
 } // namespace gorizont::test
