@@ -50,7 +50,7 @@ private Q_SLOTS:
         sensor.address = 3;
         LineConfig line;
         line.com = 5;
-        const QByteArray expected = R"({
+        const QByteArray expected = R"json({
             "time": "1970-01-01T00:00:00.000Z", "number": 7, "name": "Мачта (МК-14)", "type": "MK-14", "port": "COM5",
             "address": 3, "status": 1280,
             "digital": 2147483653,
