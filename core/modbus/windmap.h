@@ -5,7 +5,7 @@
 namespace gorizont {
 
 /// Unit 4, the wind of weather stations. Manual 000 does not have it; it begins and is read like units 3 and 6: function 04, all
-/// numbers low byte first. Registers from the base:
+/// numbers low byte first. It is there only if the site has a weather station. Registers from the base:
 ///
 ///     0  1   channel word, 32 bits
 ///     2 + 7·slot, 14 bytes a station:

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <bit>
+
 using namespace gorizont;
 using namespace gorizont::mk14;
 using namespace gorizont::test;
@@ -121,11 +123,11 @@ private Q_SLOTS:
         const auto empty = driver->poll(line);
         QVERIFY(empty && empty->weather->parameters.isEmpty() && !empty->conditions);
         line.station().setHasData(true);
-        line.station().setValue(u'T', -0.0057291714F); // BB BB BB BB
+        line.station().setValue(u'T', std::bit_cast<float>(0xBBBBBBBBU));
         for (int i = 0; i < 2; ++i) {
             const auto good = driver->poll(line);
             QVERIFY(good);
-            QVERIFY(qAbs(good->temperature.value_or(1) + 0.0057291714) < 1e-9);
+            QCOMPARE(good->temperature, double{std::bit_cast<float>(0xBBBBBBBBU)});
         }
         line.station().reboot(line.elapsed());
         QCOMPARE(driver->poll(line)->weather->parameters.size(), 0);
