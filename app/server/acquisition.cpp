@@ -41,6 +41,7 @@ Acquisition::Acquisition(const Settings &settings, SensorRegistry &registry, Jou
         QObject::connect(entry.thread.get(), &QThread::finished, worker, &LineWorker::stop, Qt::DirectConnection);
         QObject::connect(worker, &LineWorker::readingsReady, &registry, &SensorRegistry::update);
         QObject::connect(worker, &LineWorker::blockReady, &registry, &SensorRegistry::addBlock);
+        QObject::connect(worker, &LineWorker::captureReady, &registry, &SensorRegistry::addCapture);
         QObject::connect(worker, &LineWorker::informationReady, &registry, &SensorRegistry::setInformation);
         QObject::connect(worker, &LineWorker::lineChanged, &registry, &SensorRegistry::updateLine);
         QObject::connect(worker, &LineWorker::journal, &journal, &Journal::append);

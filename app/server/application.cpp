@@ -110,6 +110,7 @@ void Application::makeHistory()
         &m_registry, &SensorRegistry::readingsChanged, history, &HistoryWriter::updateReadings, Qt::DirectConnection);
     connect(&m_registry, &SensorRegistry::lineChanged, history, &HistoryWriter::updateLine, Qt::DirectConnection);
     connect(&m_registry, &SensorRegistry::blockAdded, history, &HistoryWriter::appendBlock, Qt::DirectConnection);
+    connect(&m_registry, &SensorRegistry::captureAdded, history, &HistoryWriter::appendCapture, Qt::DirectConnection);
     connect(&m_journal, &Journal::added, history, &HistoryWriter::appendJournal, Qt::DirectConnection);
     connect(history, &HistoryWriter::packetsSaved, &m_registry, &SensorRegistry::setPacketsSaved);
     connect(history, &HistoryWriter::dataLineWritten, this, &Application::measurementWritten);

@@ -6,6 +6,7 @@
 #include "core/values/reading.h"
 #include "core/values/sampleblock.h"
 #include "core/values/sensorconfig.h"
+#include "core/values/vibrationcapture.h"
 
 namespace gorizont {
 
@@ -54,6 +55,9 @@ public:
     /// line is free for others between any two steps.
     virtual bool hasBacklog() const { return false; }
 
+    /// When hasBacklog() becomes true without a turn. Empty: it does not.
+    virtual std::optional<SteadyTime> backlogAt() const { return std::nullopt; }
+
     /// An empty list: that step brought nothing, the transfer goes on or is over. Called only while hasBacklog().
     virtual Result<QList<SampleBlock>> fetch(Line &line);
 
@@ -73,16 +77,21 @@ public:
     /// What the device has said of itself, if something of it is new since the last call.
     std::optional<DeviceInformation> takeInformation() { return std::exchange(m_information, std::nullopt); }
 
+    /// What was captured whole since the last call, in the order it came.
+    QList<CapturedSignal> takeCaptures() { return std::exchange(m_captures, {}); }
+
     const DriverSettings &settings() const { return m_settings; }
 
 protected:
     void note(JournalKind kind, const QString &text) { m_notes.append({kind, text}); }
     void report(const DeviceInformation &information) { m_information = information; }
+    void deliver(const CapturedSignal &captured) { m_captures.append(captured); }
 
 private:
     DriverSettings m_settings;
     QList<DriverNote> m_notes;
     std::optional<DeviceInformation> m_information;
+    QList<CapturedSignal> m_captures;
 };
 
 } // namespace gorizont

@@ -117,8 +117,16 @@ TurnReport LinePoller::turn(Line &line)
 SteadyTime LinePoller::nextTurnAt() const
 {
     const SteadyTime cycleAt = m_cycle.nextTurnAt();
-    const auto careAt = m_care.nextAt();
-    return careAt ? std::min(cycleAt, *careAt) : cycleAt;
+    SteadyTime next = std::min(cycleAt, m_care.nextAt().value_or(cycleAt));
+    if (!m_cycle.isBetweenCycles()) {
+        return next;
+    }
+    // What is due already did not fit before the next cycle, or its sensor is parked.
+    for (const auto &sensor : m_sensors) {
+        const auto backlogAt = sensor->driver().backlogAt();
+        next = backlogAt && *backlogAt > now() ? std::min(next, *backlogAt) : next;
+    }
+    return next;
 }
 
 Result<void> LinePoller::keepAwake(Line &line)
@@ -258,6 +266,7 @@ void LinePoller::addStatusChange(const PolledSensor &sensor, quint16 before, Tur
 void LinePoller::addWords(PolledSensor &sensor, TurnReport &report) const
 {
     report.information = sensor.driver().takeInformation();
+    report.captures += sensor.driver().takeCaptures();
     for (const DriverNote &note : sensor.driver().takeNotes()) {
         const QString title = sensorTitle(sensor.config(), m_settings.line);
         report.events.append({note.kind, QStringLiteral("%1: %2").arg(title, note.text), sensor.config().number});

@@ -205,6 +205,9 @@ void LineWorker::turn()
     for (const SampleBlock &block : report.blocks) {
         Q_EMIT blockReady(block);
     }
+    for (const CapturedSignal &captured : report.captures) {
+        Q_EMIT captureReady(captured);
+    }
     if (report.information) {
         Q_EMIT informationReady(*report.information);
     }

@@ -43,10 +43,24 @@ bool HistoryInbox::put(const JournalEntry &entry)
     return !std::exchange(m_isWriterWoken, true);
 }
 
+bool HistoryInbox::put(const CapturedSignal &captured)
+{
+    const QMutexLocker lock(&m_mutex);
+    QList<CapturedSignal> &captures = m_contents.captures;
+    captures.append(captured);
+    m_codes += captured.codes.size();
+    while (m_codes > mostCodes && captures.size() > 1) {
+        m_codes -= captures.takeFirst().codes.size();
+        ++m_contents.capturesDropped;
+    }
+    return !std::exchange(m_isWriterWoken, true);
+}
+
 HistoryInbox::Contents HistoryInbox::take()
 {
     const QMutexLocker lock(&m_mutex);
     m_isWriterWoken = false;
+    m_codes = 0;
     m_samples.clear();
     return std::exchange(m_contents, {});
 }

@@ -4,6 +4,7 @@
 #include "core/values/linestatus.h"
 #include "core/values/reading.h"
 #include "core/values/sampleblock.h"
+#include "core/values/vibrationcapture.h"
 
 #include <QHash>
 #include <QMutex>
@@ -11,11 +12,12 @@
 namespace gorizont {
 
 /// What other threads left for the writer of the history. A disk that hangs for an hour must not eat the memory: of
-/// readings and lines only the last of each is kept, of samples and events the newest up to a limit. Thread-safe.
+/// readings and lines only the last of each is kept, of samples, events and captures the newest up to a limit. Thread-safe.
 class HistoryInbox
 {
 public:
     static constexpr qsizetype mostEntries = 10000;
+    static constexpr qsizetype mostCodes = 4'000'000; ///< of all captures that wait; one waits however long it is
 
     struct Contents
     {
@@ -23,8 +25,10 @@ public:
         QHash<int, LineStatus> lines; ///< port → the last one
         QHash<int, QList<SampleBlock>> blocks; ///< N → in the order of arrival; what follows a dropped one says so
         QList<JournalEntry> entries;
+        QList<CapturedSignal> captures; ///< in the order of arrival
         qsizetype samplesDropped = 0;
         qsizetype entriesDropped = 0;
+        qsizetype capturesDropped = 0;
     };
 
     /// How much waits.
@@ -46,6 +50,7 @@ public:
     /// True: the writer has to be woken, nobody did since it last took the contents.
     [[nodiscard]] bool put(const SampleBlock &block);
     [[nodiscard]] bool put(const JournalEntry &entry);
+    [[nodiscard]] bool put(const CapturedSignal &captured);
 
     /// Everything; the inbox is empty then.
     Contents take();
@@ -58,6 +63,7 @@ private:
     mutable QMutex m_mutex;
     Contents m_contents;
     QHash<int, qsizetype> m_samples; ///< N → how many samples wait
+    qsizetype m_codes = 0; ///< of the captures that wait
     bool m_isWriterWoken = false;
 };
 

@@ -12,6 +12,7 @@ namespace gorizont {
 namespace {
 
 constexpr std::chrono::milliseconds shortestInterval{10}; // TmSave=0 is not an order to fill the disk
+constexpr std::chrono::hours betweenSweeps{1}; // of old captures
 
 SteadyTime steadyNow()
 {
@@ -55,6 +56,7 @@ HistoryWriter::HistoryWriter(const HistoryConfig &config, Clock clock, QObject *
     , m_clock(std::move(clock))
     , m_inbox(config.samplesPerRing())
     , m_files(config, [this](JournalKind kind, const QString &text) { note(kind, text); })
+    , m_captures(config, [this](JournalKind kind, const QString &text) { note(kind, text); })
     , m_sensors(initialColumns(config.lines))
     , m_lines(initialStatuses(config.lines))
     , m_cadence(steadyNow(), std::max(config.saveInterval, shortestInterval))
@@ -96,6 +98,13 @@ void HistoryWriter::appendJournal(const JournalEntry &entry)
     }
 }
 
+void HistoryWriter::appendCapture(const CapturedSignal &captured)
+{
+    if (m_config.savesFiles && m_inbox.put(captured)) {
+        QMetaObject::invokeMethod(this, &HistoryWriter::flush, Qt::QueuedConnection);
+    }
+}
+
 void HistoryWriter::start()
 {
     const SteadyTime now = steadyNow();
@@ -104,6 +113,8 @@ void HistoryWriter::start()
     m_clockWatch.step(m_clock(), now);
     if (m_config.savesFiles) {
         m_files.open(wallTime().date());
+        m_captures.open();
+        m_sweepAt = now;
         m_retryTimer.start();
     }
     armTick();
@@ -127,6 +138,9 @@ void HistoryWriter::flush()
         }
         Q_EMIT packetsSaved(blocks.first().number, samples / HistoryConfig::samplesPerPacket);
     }
+    for (const CapturedSignal &captured : contents.captures) {
+        m_captures.save(captured);
+    }
     m_files.addEvents(contents.entries);
     noteDropped(contents);
     m_files.writeEvents();
@@ -149,6 +163,7 @@ void HistoryWriter::tick()
         noteClockStep(now);
         flush();
         writeRecords();
+        sweepCaptures(now);
     }
     armTick();
 }
@@ -179,6 +194,14 @@ void HistoryWriter::writeRecords()
     Q_EMIT dataLineWritten(QString::fromLatin1(record).chopped(2));
 }
 
+void HistoryWriter::sweepCaptures(SteadyTime now)
+{
+    if (m_config.savesFiles && m_captures.isInUse() && now >= m_sweepAt) {
+        m_sweepAt = now + betweenSweeps;
+        m_captures.removeOld(m_clock());
+    }
+}
+
 void HistoryWriter::noteClockStep(SteadyTime now)
 {
     const auto step = m_clockWatch.step(m_clock(), now);
@@ -200,6 +223,11 @@ void HistoryWriter::noteDropped(const HistoryInbox::Contents &contents)
             tr("The disk was busy for too long: %1 samples and %2 events were not saved.")
                 .arg(contents.samplesDropped)
                 .arg(contents.entriesDropped));
+    }
+    if (contents.capturesDropped > 0) {
+        note(
+            JournalKind::Error,
+            tr("The disk was busy for too long: %1 captures of L-VIMS were not saved.").arg(contents.capturesDropped));
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/history/cadence.h"
+#include "core/history/capturefolder.h"
 #include "core/history/historyconfig.h"
 #include "core/history/historyfiles.h"
 #include "core/history/historyinbox.h"
@@ -14,7 +15,7 @@
 namespace gorizont {
 
 /// Writes what the sensors say into the text and binary files (manual 000, sections 6 and 7). Lives in the storage
-/// thread. The four slots that take values may be called from any thread, and should be connected with
+/// thread. The five slots that take values may be called from any thread, and should be connected with
 /// Qt::DirectConnection: they only leave the value in an inbox of bounded size. If the disk hangs, readings and states
 /// replace each other there, of every sensor SrsBufSize packets wait, older ones are dropped and the gap is recorded.
 class HistoryWriter : public QObject
@@ -34,6 +35,7 @@ public Q_SLOTS:
     void updateLine(const gorizont::LineStatus &status);
     void appendBlock(const gorizont::SampleBlock &block);
     void appendJournal(const gorizont::JournalEntry &entry);
+    void appendCapture(const gorizont::CapturedSignal &captured);
 
     /// Repairs what an unclean end left, then writes a record every saveInterval, the first after the first interval.
     void start();
@@ -55,6 +57,7 @@ private:
     void armTick();
     void writeRecords();
     void noteClockStep(SteadyTime now);
+    void sweepCaptures(SteadyTime now);
     void noteDropped(const HistoryInbox::Contents &contents);
     void note(JournalKind kind, const QString &text);
     QDateTime wallTime() const { return localTime(m_clock(), m_config.zone); }
@@ -63,6 +66,8 @@ private:
     const Clock m_clock;
     HistoryInbox m_inbox; ///< the only member that other threads touch
     HistoryFiles m_files;
+    CaptureFolder m_captures;
+    SteadyTime m_sweepAt; ///< when old captures are looked for
     QList<SensorColumns> m_sensors; ///< ascending N
     QHash<int, qsizetype> m_indexOfNumber;
     QList<LineStatus> m_lines;

@@ -131,6 +131,11 @@ void SensorRegistry::addBlock(const SampleBlock &block)
     Q_EMIT blockAdded(block);
 }
 
+void SensorRegistry::addCapture(const CapturedSignal &captured)
+{
+    Q_EMIT captureAdded(captured);
+}
+
 void SensorRegistry::setPacketsSaved(int number, quint64 packets)
 {
     if (const int index = indexOf(number); index >= 0) {

@@ -116,6 +116,75 @@ private Q_SLOTS:
         QCOMPARE(sensorProperties(registry.sensors()[1], LineState::Open, now).size(), 11);
     }
 
+    /// A vibration module: every channel with its state and measurements, then the relays.
+    void vibrationModule()
+    {
+        LineConfig line;
+        line.index = 1;
+        line.isOn = true;
+        SensorConfig sensor;
+        sensor.port = 1;
+        sensor.index = 1;
+        sensor.number = 5;
+        sensor.isOn = true;
+        sensor.type = SensorType::LVims;
+        sensor.model = QStringLiteral("L-VIMS");
+        sensor.options = {{QStringLiteral("measunit"), QStringLiteral("g")}};
+        line.sensors = {sensor};
+        SensorRegistry registry({line}, StatusRules());
+        const SteadyTime now = std::chrono::steady_clock::now();
+        Reading reading;
+        reading.number = 5;
+        reading.isAnswer = true;
+        reading.answeredAt = now;
+        reading.status = 0x0700;
+        VibrationMeasurement first{0, 1, 70.71068, 4520.0, false, true, std::nullopt, 4000.0, false};
+        VibrationMeasurement second{3, 16, std::nullopt, std::nullopt, false, false, false, std::nullopt, false};
+        reading.vibration = Vibration{
+            {{0, ChannelState::Good, true, {first, second}},
+             {1, ChannelState::ShortCircuit, true, {}},
+             {2, ChannelState::NoData, true, {}},
+             {3, ChannelState::Good, false, {}}},
+            {{0, true, false, true, true}, {1, false, false, false, false}}};
+        registry.update({reading});
+        const Properties rows = sensorProperties(registry.sensors().front(), LineState::Open, now);
+        QCOMPARE(
+            text(rows.mid(11)),
+            QStringLiteral(
+                "Канал 0\n"
+                "Состояние канала | исправен\n"
+                "0: тип 1 виброускорение | 70.7107 g; код 4520; предупреждение; останов?; базовый уровень код 4000\n"
+                "3: тип 16 наибольшее отклонение вала от среднего | —; —\n"
+                "Канал 1\n"
+                "Состояние канала | замыкание линии датчика\n"
+                "Канал 2\n"
+                "Состояние канала | нет данных\n"
+                "Канал 3\n"
+                "Состояние канала | отключён\n"
+                "Реле\n"
+                "Реле 0 | разрешено; логическое 1; физическое 0; ошибка\n"
+                "Реле 1 | отключено; логическое 0; физическое 0"));
+        QCOMPARE(rows.at(12).health, std::optional(Health::Good));
+        QCOMPARE(rows.at(13).health, std::optional(Health::Warning));
+        QCOMPARE(rows.at(16).health, std::optional(Health::Error));
+        QCOMPARE(rows.at(20).health, std::optional(Health::Off));
+        QCOMPARE(
+            rows.at(1).value,
+            QStringLiteral("Отвечает: Замыкание линии датчика: канал 1, в одном из каналов нет данных, неисправность, "
+                           "предупреждение "
+                           "или останов по измерению"));
+        QCOMPARE(sensorHealth(registry.sensors().front(), LineState::Open), Health::Warning);
+
+        reading.status = 0x3700; // silent: nothing is known any more
+        reading.isAnswer = false;
+        registry.update({reading});
+        const Properties silent = sensorProperties(registry.sensors().front(), LineState::Open, now).mid(11);
+        QCOMPARE(silent.size(), rows.size() - 11);
+        QCOMPARE(silent.at(1).value, QStringLiteral("—"));
+        QCOMPARE(silent.at(2).value, QStringLiteral("—"));
+        QCOMPARE(silent.at(11).value, QStringLiteral("—"));
+    }
+
     void sensorWithoutAnswer()
     {
         const SensorRegistry registry(test::sampleConfig().lines, StatusRules());

@@ -1,46 +1,20 @@
 #pragma once
 
 #include "core/devices/lvims/lvimslink.h"
+#include "core/values/vibrationcapture.h"
 
 namespace gorizont::lvims {
 
-/// What a module says of a waveform or a spectrum that it keeps.
-struct CaptureInformation
-{
-    int channel = 0; ///< 0…3
-    int id = 0; ///< of the waveform; of a spectrum its type, 0 up to 5000 Hz, 1 up to 200 Hz
-    quint32 size = 0; ///< samples; of a spectrum real and imaginary numbers
-    double rate = 0; ///< Hz; of a spectrum that of the samples it was made of
-    double voltsK = 0; ///< volts = voltsK · code + voltsB
-    double voltsB = 0;
-    double physicalK = 0; ///< the physical quantity = physicalK · code + physicalB
-    double physicalB = 0;
-    double windowSum = 0; ///< of a spectrum: of the coefficients of its window
-    double windowSum2 = 0; ///< and of their squares
-    std::optional<VibrationChannel> state; ///< of the channel when the waveform was kept
-
-    double volts(qint32 code) const { return voltsK * code + voltsB; }
-    double physical(qint32 code) const { return physicalK * code + physicalB; }
-    double time(qsizetype sample) const { return static_cast<double>(sample) / rate; } ///< s since the first one
-    bool operator==(const CaptureInformation &) const = default;
-};
-
-struct SpectrumBin
-{
-    double frequency = 0; ///< Hz
-    double amplitude = 0; ///< of a tone of this frequency, in the physical quantity
-    bool operator==(const SpectrumBin &) const = default;
-};
-
-/// A spectrum in physical units (spec/l-vims.md, 5). \a codes: real and imaginary in turns.
-QList<SpectrumBin> spectrumOf(const CaptureInformation &information, const QList<qint32> &codes);
+using gorizont::CaptureInformation;
+using gorizont::SpectrumBin;
+using gorizont::spectrumOf;
 
 /// Makes a module keep a waveform or a spectrum and fetches it, step by step: between any two the line is free for others. What
 /// another client does to the selection is noticed and the transfer begun anew. Thread of the line.
 class Capture
 {
 public:
-    enum class Kind : quint8 { Waveform, Spectrum5000, Spectrum200 };
+    using Kind = CaptureKind;
 
     Capture(Link link, Kind kind, int channel);
 

@@ -1,5 +1,7 @@
 #include "core/devices/lvims/lvimsdriver.h"
 
+#include "core/devices/lvims/lvimscapturing.h"
+
 #include <QCoreApplication>
 
 namespace gorizont::lvims {
@@ -16,6 +18,26 @@ constexpr quint16 firstTransaction = 0x0001; ///< of polling; service has others
 /// What is worth a line in the journal when it changes.
 enum class Trouble : quint8 { None, BootLoader, Exception };
 
+QString nameOf(CaptureKind kind)
+{
+    switch (kind) {
+    case CaptureKind::Waveform: return DriverText::tr("The waveform of channel %1");
+    case CaptureKind::Spectrum5000: return DriverText::tr("The spectrum of channel %1 up to 5000 Hz");
+    case CaptureKind::Spectrum200: return DriverText::tr("The spectrum of channel %1 up to 200 Hz");
+    }
+    return {};
+}
+
+QString reasonOf(Fault fault)
+{
+    switch (fault) {
+    case Fault::Refused: return DriverText::tr("the module refuses it. It is tried again at the next time.");
+    case Fault::BadReply:
+        return DriverText::tr("another client of the module disturbed it. It is tried again at the next time.");
+    default: return DriverText::tr("the module did not finish it in time. It is tried again at the next time.");
+    }
+}
+
 /// Asks what has changed, then for that. Thread of the line.
 class LVimsDriver : public Driver
 {
@@ -24,8 +46,9 @@ public:
         : Driver(std::move(driverSettings))
         , m_options(Options::from(settings().sensor))
         , m_link(m_options.address, settings().timing, firstTransaction)
+        , m_capturing(m_options.capture, m_options.address, settings().timing)
     {
-        for (const QString &complaint : m_options.complaints) {
+        for (const QString &complaint : m_options.complaints + m_options.capture.complaints) {
             note(JournalKind::Error, complaint);
         }
         forget();
@@ -34,6 +57,7 @@ public:
     Result<Measurement> poll(Line &line) override
     {
         const auto done = update(line);
+        m_isAnswering = static_cast<bool>(done);
         if (!done) {
             if (const int exception = m_link.exception()) {
                 tell(
@@ -51,11 +75,55 @@ public:
         return measurement;
     }
 
-    void restart() override { forget(); }
+    void restart() override
+    {
+        forget();
+        m_capturing.abandon();
+    }
+
+    /// A module that does not answer, or is in its boot loader, captures nothing.
+    bool hasBacklog() const override { return m_isAnswering && m_capturing.hasStep(std::chrono::steady_clock::now()); }
+    std::optional<SteadyTime> backlogAt() const override
+    {
+        return m_isAnswering ? m_capturing.nextStepAt() : std::nullopt;
+    }
+
+    /// A capture that fails is no failure of the sensor: its values come with the turns.
+    Result<QList<SampleBlock>> fetch(Line &line) override
+    {
+        const auto outcome = m_capturing.step(line, std::chrono::steady_clock::now(), m_enabled);
+        if (!outcome) {
+            return outcome.fault();
+        }
+        if (*outcome) {
+            conclude(**outcome);
+        }
+        return QList<SampleBlock>();
+    }
 
 private:
+    void conclude(const Capturing::Outcome &outcome)
+    {
+        if (outcome.signal) {
+            CapturedSignal captured = *outcome.signal;
+            captured.number = settings().sensor.number;
+            captured.time = utcNow();
+            deliver(captured);
+        }
+        if (!outcome.isNews) {
+            return;
+        }
+        const QString what = nameOf(outcome.kind).arg(outcome.channel);
+        if (outcome.fault) {
+            note(JournalKind::Error, DriverText::tr("%1 cannot be captured: %2").arg(what, reasonOf(*outcome.fault)));
+        } else {
+            note(JournalKind::On, DriverText::tr("%1 is captured again.").arg(what));
+        }
+    }
+
     void forget()
     {
+        m_isAnswering = false;
         m_mode = 0;
         m_known.clear();
         m_knownSettings.reset();
@@ -204,6 +272,8 @@ private:
 
     Options m_options;
     Link m_link;
+    Capturing m_capturing;
+    bool m_isAnswering = false; ///< the last turn was good
     int m_mode = 0; ///< DEVMODE; 0: not asked yet
     QHash<int, int> m_known; ///< ST_CH_UP_ID of what was read last, by channel
     std::optional<quint16> m_knownSettings;

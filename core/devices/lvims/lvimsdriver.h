@@ -2,6 +2,7 @@
 
 #include "core/devices/driver.h"
 #include "core/devices/lvims/lvimslink.h"
+#include "core/values/captureplan.h"
 
 #include <memory>
 
@@ -12,6 +13,7 @@ struct Options
 {
     Address address; ///< `unit` 0…255, `readfunction` 3 or 4
     std::optional<double> fullScale; ///< `percentcode`: the code of 100 %
+    CapturePlan capture; ///< with complaints of its own
     QStringList complaints; ///< what was not understood, a sentence each
 
     static Options from(const SensorConfig &sensor);

@@ -1,19 +1,12 @@
 #pragma once
 
-#include "core/devices/lvims/lvimscapture.h"
+#include "core/values/captureformat.h"
 
-#include <QByteArray>
-
-/// Captures as files. Pure; the same in every locale.
+/// Captures as files: the formats stand with the values, because the history writes them too.
 namespace gorizont::lvims {
 
-/// `time,code,value`: s since the first sample, ADC code, physical quantity. Commas, points, LF.
-QByteArray waveformCsv(const CaptureInformation &information, const QList<qint32> &codes);
-
-/// `frequency,amplitude`: Hz, physical quantity. Commas, points, LF.
-QByteArray spectrumCsv(const CaptureInformation &information, const QList<qint32> &codes);
-
-/// One channel of 32-bit floats, the largest modulus of the physical quantity being 1.
-QByteArray waveformWav(const CaptureInformation &information, const QList<qint32> &codes);
+using gorizont::spectrumCsv;
+using gorizont::waveformCsv;
+using gorizont::waveformWav;
 
 } // namespace gorizont::lvims

@@ -44,6 +44,7 @@ Options Options::from(const SensorConfig &sensor)
     const auto code = readOption(sensor, QStringLiteral("percentcode"), 1, 65535, options.complaints);
     options.address.unit = static_cast<quint8>(unit.value_or(1));
     options.address.readFunction = static_cast<modbustcp::ReadFunction>(function.value_or(3));
+    options.capture = CapturePlan::from(sensor);
     options.complaints += MeasurementUnits(sensor).complaints();
     options.fullScale = code ? std::optional<double>(*code) : std::nullopt;
     return options;

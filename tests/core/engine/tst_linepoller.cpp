@@ -55,6 +55,43 @@ class TestLinePoller : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// A capture is fetched in the free time between turns, which stay even, and is brought with its sensor's number.
+    void capturesComeBetweenTheTurns()
+    {
+        PollingSettings site;
+        site.line.index = 1;
+        SensorConfig sensor;
+        sensor.number = 9;
+        sensor.index = 1;
+        sensor.isOn = true;
+        sensor.type = SensorType::LVims;
+        sensor.options = {
+            {QStringLiteral("captureevery"), QStringLiteral("1")},
+            {QStringLiteral("capturechannels"), QStringLiteral("0")}};
+        site.line.sensors = {sensor};
+        site.timing.run = 200ms;
+        site.timing.addressChange = 0ms;
+        const auto line = openLine(site);
+        LinePoller poller(site);
+        poller.restart();
+        TurnReport report;
+        QList<CapturedSignal> captures;
+        int answers = 0;
+        const SteadyTime start = SteadyTime::clock::now();
+        while (captures.size() < 2) {
+            QVERIFY(SteadyTime::clock::now() - start < 30s);
+            report = nextTurn(poller, *line, report);
+            QVERIFY(!report.lineFault);
+            captures += report.captures;
+            answers += static_cast<int>(report.readings.size());
+        }
+        const auto cycles = (SteadyTime::clock::now() - start) / site.timing.run;
+        QCOMPARE(captures.first().number, 9);
+        QCOMPARE(captures.first().codes.size(), 12800);
+        QVERIFY2(answers >= cycles - 2, qPrintable(QString::number(answers)));
+        QVERIFY(cycles >= 4);
+    }
+
     void bulkDataHoldUpNobody()
     {
         const PollingSettings busy = settings(1ms);

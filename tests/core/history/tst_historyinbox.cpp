@@ -16,6 +16,7 @@ private Q_SLOTS:
     void oldestSamplesAreDroppedAndTheGapShows();
     void oneBlockOverTheLimitIsKept();
     void oldestEventsAreDropped();
+    void oldestCapturesAreDropped();
     void writerIsWokenOnce();
     void tellsHowMuchWaits();
 };
@@ -86,6 +87,23 @@ void TestHistoryInbox::oldestEventsAreDropped()
     QCOMPARE(contents.entries.size(), HistoryInbox::mostEntries);
     QCOMPARE(contents.entries.first().text, u"3");
     QCOMPARE(contents.entriesDropped, 3);
+}
+
+void TestHistoryInbox::oldestCapturesAreDropped()
+{
+    HistoryInbox inbox(64);
+    CapturedSignal captured;
+    captured.codes.resize(HistoryInbox::mostCodes / 2);
+    for (captured.number = 1; captured.number <= 3; ++captured.number) {
+        (void)inbox.put(captured);
+    }
+    const HistoryInbox::Contents contents = inbox.take();
+    QCOMPARE(contents.captures.size(), 2);
+    QCOMPARE(contents.captures.first().number, 2);
+    QCOMPARE(contents.capturesDropped, 1);
+    captured.codes.resize(HistoryInbox::mostCodes + 1);
+    (void)inbox.put(captured); // one waits however long it is
+    QCOMPARE(inbox.take().captures.size(), 1);
 }
 
 void TestHistoryInbox::writerIsWokenOnce()

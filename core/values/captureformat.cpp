@@ -1,11 +1,11 @@
-#include "core/devices/lvims/lvimsfiles.h"
+#include "core/values/captureformat.h"
 
-#include "core/protocol/bytes.h"
+#include <QtEndian>
 
 #include <bit>
 #include <cmath>
 
-namespace gorizont::lvims {
+namespace gorizont {
 
 namespace {
 
@@ -14,6 +14,12 @@ constexpr int digits = 9; ///< as many as a float has
 QByteArray number(double value)
 {
     return QByteArray::number(value, 'g', digits);
+}
+
+template <typename T> void appendLittle(QByteArray &bytes, T value)
+{
+    const T little = qToLittleEndian(value);
+    bytes.append(reinterpret_cast<const char *>(&little), sizeof little);
 }
 
 } // namespace
@@ -68,4 +74,4 @@ QByteArray waveformWav(const CaptureInformation &information, const QList<qint32
     return wav;
 }
 
-} // namespace gorizont::lvims
+} // namespace gorizont
