@@ -43,7 +43,7 @@ ROOMS = {
         "core/devices/ind3/ind3dialect.h", "core/devices/ind3/ind3service.h", "core/devices/ind3/ind3values.h",
         "core/devices/and3/and3answers.h", "core/devices/and3/and3service.h", "core/devices/usmisn/usmisnfetch.h",
         "core/devices/usmisn/usmisnrecords.h", "core/devices/usmisn/usmisnservice.h", "core/devices/usmisn/usmisnvalues.h",
-        "core/files/wholefile.h",
+        "core/devices/mk14/mk14options.h", "core/devices/mk14/mk14service.h", "core/files/wholefile.h",
     ],
     "ui/history": ["ui", "core/values", "core/registry", "core/export"],
     "ui": [

@@ -52,6 +52,33 @@
     </message>
 </context>
 <context>
+    <name>gorizont::Mk14Dialog</name>
+    <message numerus="yes">
+        <source>Send %1 (%n byte(s)) to station %2? It replaces the station&apos;s own file of this name. A wrong file may stop its measurements.</source>
+        <translation>
+            <numerusform>Send %1 (%n byte) to station %2? It replaces the station&apos;s own file of this name. A wrong file may stop its measurements.</numerusform>
+            <numerusform>Send %1 (%n bytes) to station %2? It replaces the station&apos;s own file of this name. A wrong file may stop its measurements.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>file %1, %n byte(s)</source>
+        <translation>
+            <numerusform>file %1, %n byte</numerusform>
+            <numerusform>file %1, %n bytes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Mk14TransferPanel</name>
+    <message numerus="yes">
+        <source>%1, %n byte(s)</source>
+        <translation>
+            <numerusform>%1, %n byte</numerusform>
+            <numerusform>%1, %n bytes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gorizont::UsmDialog</name>
     <message numerus="yes">
         <source>%n new record(s)</source>

@@ -3299,6 +3299,224 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>WeatherRows</name>
+    <message>
+        <source>Gathered since the program started, over the chosen time</source>
+        <translation>Собрано с запуска программы за выбранное время</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Отсчётов</translation>
+    </message>
+    <message>
+        <source>how many readings of the wind the rose consists of</source>
+        <translation>из скольких показаний ветра состоит роза</translation>
+    </message>
+    <message>
+        <source>Prevailing direction</source>
+        <translation>Преобладает направление</translation>
+    </message>
+    <message>
+        <source>the rumb from which the wind blew most often, and its share of all readings</source>
+        <translation>румб, откуда ветер дул чаще всего, и его доля во всех показаниях</translation>
+    </message>
+    <message>
+        <source>Mean speed, m/s</source>
+        <translation>Средняя скорость, м/с</translation>
+    </message>
+    <message>
+        <source>mean of the mean speeds</source>
+        <translation>среднее из средних скоростей</translation>
+    </message>
+    <message>
+        <source>Strongest gust, m/s</source>
+        <translation>Наибольший порыв, м/с</translation>
+    </message>
+    <message>
+        <source>the largest speed that the station reported</source>
+        <translation>наибольшая скорость, о которой сообщила станция</translation>
+    </message>
+    <message>
+        <source>Calm, %</source>
+        <translation>Штиль, %</translation>
+    </message>
+    <message>
+        <source>share of the readings below %1 m/s</source>
+        <translation>доля показаний меньше %1 м/с</translation>
+    </message>
+    <message>
+        <source>Without direction, %</source>
+        <translation>Без направления, %</translation>
+    </message>
+    <message>
+        <source>share of the readings whose speed is valid and whose direction is not</source>
+        <translation>доля показаний, скорость которых достоверна, а направление нет</translation>
+    </message>
+    <message>
+        <source>mean value (instantaneous value | minimum … maximum), as far as the station gives them</source>
+        <translation>среднее значение (мгновенное | минимум … максимум), если станция их передаёт</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Цифровые входы</translation>
+    </message>
+    <message>
+        <source>the word of the inputs, and the numbers of those that are on; the first one is 0</source>
+        <translation>слово входов и номера включённых; первый вход — 0</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Направление</translation>
+    </message>
+    <message>
+        <source>from where it blows, mean: degrees from the north clockwise, and the rumb</source>
+        <translation>откуда дует, среднее: градусы от севера по часовой стрелке и румб</translation>
+    </message>
+    <message>
+        <source>Direction now</source>
+        <translation>Направление сейчас</translation>
+    </message>
+    <message>
+        <source>from where it blows at this moment</source>
+        <translation>откуда дует в этот момент</translation>
+    </message>
+    <message>
+        <source>Speed, m/s</source>
+        <translation>Скорость, м/с</translation>
+    </message>
+    <message>
+        <source>mean of the modulus over the averaging interval of the station</source>
+        <translation>среднее модуля за интервал осреднения станции</translation>
+    </message>
+    <message>
+        <source>Speed now, m/s</source>
+        <translation>Скорость сейчас, м/с</translation>
+    </message>
+    <message>
+        <source>speed of the last seconds</source>
+        <translation>скорость последних секунд</translation>
+    </message>
+    <message>
+        <source>Gust, m/s</source>
+        <translation>Порыв, м/с</translation>
+    </message>
+    <message>
+        <source>maximum over the averaging interval of the station</source>
+        <translation>максимум за интервал осреднения станции</translation>
+    </message>
+    <message>
+        <source>Gust since the last request, m/s</source>
+        <translation>Порыв с прошлого запроса, м/с</translation>
+    </message>
+    <message>
+        <source>maximum since the station was asked before</source>
+        <translation>максимум с предыдущего запроса станции</translation>
+    </message>
+    <message>
+        <source>σ of the direction, °</source>
+        <translation>σ направления, °</translation>
+    </message>
+    <message>
+        <source>root mean square deviation of the direction</source>
+        <translation>среднеквадратическое отклонение направления</translation>
+    </message>
+    <message>
+        <source>σ of the speed, m/s</source>
+        <translation>σ скорости, м/с</translation>
+    </message>
+    <message>
+        <source>root mean square deviation of the speed</source>
+        <translation>среднеквадратическое отклонение скорости</translation>
+    </message>
+    <message>
+        <source>U, V, m/s</source>
+        <translation>U, V, м/с</translation>
+    </message>
+    <message>
+        <source>components of the mean wind: U &gt; 0 blows towards the east, V &gt; 0 towards the north</source>
+        <translation>составляющие среднего ветра: U &gt; 0 — дует на восток, V &gt; 0 — на север</translation>
+    </message>
+</context>
+<context>
+    <name>WeatherText</name>
+    <message>
+        <source>N</source>
+        <translation>С</translation>
+    </message>
+    <message>
+        <source>NNE</source>
+        <translation>ССВ</translation>
+    </message>
+    <message>
+        <source>NE</source>
+        <translation>СВ</translation>
+    </message>
+    <message>
+        <source>ENE</source>
+        <translation>ВСВ</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>ESE</source>
+        <translation>ВЮВ</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>ЮВ</translation>
+    </message>
+    <message>
+        <source>SSE</source>
+        <translation>ЮЮВ</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>Ю</translation>
+    </message>
+    <message>
+        <source>SSW</source>
+        <translation>ЮЮЗ</translation>
+    </message>
+    <message>
+        <source>SW</source>
+        <translation>ЮЗ</translation>
+    </message>
+    <message>
+        <source>WSW</source>
+        <translation>ЗЮЗ</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>З</translation>
+    </message>
+    <message>
+        <source>WNW</source>
+        <translation>ЗСЗ</translation>
+    </message>
+    <message>
+        <source>NW</source>
+        <translation>СЗ</translation>
+    </message>
+    <message>
+        <source>NNW</source>
+        <translation>ССЗ</translation>
+    </message>
+    <message>
+        <source>none is on</source>
+        <translation>ни один не включён</translation>
+    </message>
+    <message>
+        <source>wind %1 %2</source>
+        <translation>ветер %1 %2</translation>
+    </message>
+    <message>
+        <source>temperature %1 %2</source>
+        <translation>температура %1 %2</translation>
+    </message>
+</context>
+<context>
     <name>WindowPages</name>
     <message>
         <source>Trends</source>
@@ -3319,6 +3537,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Oscillations</source>
         <translation>Колебания</translation>
+    </message>
+    <message>
+        <source>Weather</source>
+        <translation>Погода</translation>
     </message>
 </context>
 <context>
@@ -4708,6 +4930,29 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::InputLamps</name>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Цифровые входы</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>неизвестно</translation>
+    </message>
+    <message>
+        <source>Input %1: not known</source>
+        <translation>Вход %1: неизвестно</translation>
+    </message>
+    <message>
+        <source>Input %1: on</source>
+        <translation>Вход %1: включён</translation>
+    </message>
+    <message>
+        <source>Input %1: off</source>
+        <translation>Вход %1: выключен</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Inspection</name>
     <message>
         <source>There is no archive %1.</source>
@@ -4991,6 +5236,309 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::Mk14Dialog</name>
+    <message>
+        <source>The new control word of station %1 was not sent. Discard it?</source>
+        <translation>Новое управляющее слово станции %1 не отправлено. Отказаться от него?</translation>
+    </message>
+    <message>
+        <source>Reading station %1…</source>
+        <translation>Чтение станции %1…</translation>
+    </message>
+    <message>
+        <source>Station %1 cannot be read: %2.</source>
+        <translation>Станцию %1 прочитать не удалось: %2.</translation>
+    </message>
+    <message>
+        <source>Station %1 answers, but it has no data yet.</source>
+        <translation>Станция %1 отвечает, но у неё ещё нет данных.</translation>
+    </message>
+    <message>
+        <source>Station %1 was read.</source>
+        <translation>Станция %1 прочитана.</translation>
+    </message>
+    <message>
+        <source>To keep it, write Outputs%1=%2 into [Port%3] of the configuration file.</source>
+        <translation>Чтобы сохранить его, впишите Outputs%1=%2 в раздел [Port%3] файла настроек.</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>Station %1: %2</source>
+        <translation>Станция %1: %2</translation>
+    </message>
+    <message>
+        <source>Set the outputs of station %1 to %2? Whatever is connected to them is switched at once.</source>
+        <translation>Установить выходы станции %1 в %2? Всё, что к ним подключено, переключится сразу.</translation>
+    </message>
+    <message>
+        <source>&amp;Set</source>
+        <translation>&amp;Установить</translation>
+    </message>
+    <message>
+        <source>outputs %1</source>
+        <translation>выходы %1</translation>
+    </message>
+    <message>
+        <source>%1, confirmed. %2</source>
+        <translation>%1, подтверждено. %2</translation>
+    </message>
+    <message>
+        <source>%1, not confirmed (%2): whether the outputs were switched is not known; polling goes on with the word before.</source>
+        <translation>%1, не подтверждено (%2): переключились ли выходы, неизвестно; опрос продолжается с прежним словом.</translation>
+    </message>
+    <message>
+        <source>Set the clock of station %1 to the time of this computer, UTC? Times of its records will step.</source>
+        <translation>Установить часы станции %1 по этому компьютеру, UTC? Время в её записях изменится скачком.</translation>
+    </message>
+    <message>
+        <source>Set the clock of station %1 to the local time of this computer? Times of its records will step.</source>
+        <translation>Установить часы станции %1 по местному времени этого компьютера? Время в её записях изменится скачком.</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>часы</translation>
+    </message>
+    <message>
+        <source>%1, not confirmed (%2): whether it was set is not known.</source>
+        <translation>%1, не подтверждено (%2): установлены ли они, неизвестно.</translation>
+    </message>
+    <message>
+        <source>%1 set to %2, confirmed</source>
+        <translation>%1 установлены на %2, подтверждено</translation>
+    </message>
+    <message>
+        <source>Settings file for the station</source>
+        <translation>Файл настройки для станции</translation>
+    </message>
+    <message numerus="yes">
+        <source>Send %1 (%n byte(s)) to station %2? It replaces the station&apos;s own file of this name. A wrong file may stop its measurements.</source>
+        <translation>
+            <numerusform>Отправить %1 (%n байт) на станцию %2? Он заменит её собственный файл с этим именем. Неверный файл может остановить измерения.</numerusform>
+            <numerusform>Отправить %1 (%n байта) на станцию %2? Он заменит её собственный файл с этим именем. Неверный файл может остановить измерения.</numerusform>
+            <numerusform>Отправить %1 (%n байт) на станцию %2? Он заменит её собственный файл с этим именем. Неверный файл может остановить измерения.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Отправить</translation>
+    </message>
+    <message numerus="yes">
+        <source>file %1, %n byte(s)</source>
+        <translation>
+            <numerusform>файл %1, %n байт</numerusform>
+            <numerusform>файл %1, %n байта</numerusform>
+            <numerusform>файл %1, %n байт</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, confirmed</source>
+        <translation>%1, подтверждено</translation>
+    </message>
+    <message>
+        <source>%1, not confirmed (%2): the station may have it or not. Send it again.</source>
+        <translation>%1, не подтверждено (%2): получила ли его станция, неизвестно. Отправьте его ещё раз.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Mk14Form</name>
+    <message>
+        <source>Values</source>
+        <translation>Значения</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Выходы</translation>
+    </message>
+    <message>
+        <source>Clock and files</source>
+        <translation>Часы и файлы</translation>
+    </message>
+    <message>
+        <source>Exchange</source>
+        <translation>Параметры обмена</translation>
+    </message>
+    <message>
+        <source>Add&amp;ress of the station:</source>
+        <translation>Ад&amp;рес станции:</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Mk14OutputsPanel</name>
+    <message>
+        <source>Set the &amp;outputs…</source>
+        <translation>Установить в&amp;ыходы…</translation>
+    </message>
+    <message>
+        <source>The same as a number: decimal, or hexadecimal with 0x in front</source>
+        <translation>То же числом: десятичным или шестнадцатеричным с 0x впереди</translation>
+    </message>
+    <message>
+        <source>Every poll repeats the control word that was set last, so that polling switches nothing. What is set here holds until the program ends; after its next start Outputs{i} of the configuration file holds.</source>
+        <translation>Каждый опрос повторяет последнее установленное управляющее слово, поэтому сам опрос ничего не переключает. Установленное здесь действует до завершения программы; после следующего запуска действует Outputs{i} из файла настроек.</translation>
+    </message>
+    <message>
+        <source>Control &amp;word:</source>
+        <translation>Управляющее &amp;слово:</translation>
+    </message>
+    <message>
+        <source>In force:</source>
+        <translation>Действует:</translation>
+    </message>
+    <message>
+        <source>Output %1</source>
+        <translation>Выход %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Mk14TransferPanel</name>
+    <message>
+        <source>Clock of the station</source>
+        <translation>Часы станции</translation>
+    </message>
+    <message>
+        <source>Set the c&amp;lock…</source>
+        <translation>Установить &amp;часы…</translation>
+    </message>
+    <message>
+        <source>Time that is sent:</source>
+        <translation>Отправляется время:</translation>
+    </message>
+    <message>
+        <source>Settings file</source>
+        <translation>Файл настройки</translation>
+    </message>
+    <message>
+        <source>The station replaces its own file of this name and may work by it at once or after a restart. Keep a copy of the old one: it cannot be read back.</source>
+        <translation>Станция заменит свой файл с этим именем и начнёт работать по нему сразу или после перезапуска. Сохраните копию прежнего: прочитать его со станции нельзя.</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose the file…</source>
+        <translation>Выбрать &amp;файл…</translation>
+    </message>
+    <message>
+        <source>The name under which the station gets the file, in Latin letters</source>
+        <translation>Имя, под которым станция получит файл, латинскими буквами</translation>
+    </message>
+    <message>
+        <source>&amp;Send the file…</source>
+        <translation>&amp;Отправить файл…</translation>
+    </message>
+    <message>
+        <source>&amp;Name in the station:</source>
+        <translation>&amp;Имя на станции:</translation>
+    </message>
+    <message>
+        <source>The configuration file says that the clock of this station shows UTC (StationClock=UTC).</source>
+        <translation>По файлу настроек часы этой станции показывают UTC (StationClock=UTC).</translation>
+    </message>
+    <message>
+        <source>The clock of this station shows local time; StationClock{i}=UTC in the configuration file would say otherwise.</source>
+        <translation>Часы этой станции показывают местное время; иначе в файле настроек стояло бы StationClock{i}=UTC.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: %1. Choose another one.</source>
+        <translation>Файл прочитать не удалось: %1. Выберите другой.</translation>
+    </message>
+    <message>
+        <source>The file is empty: the station would lose its settings. Choose another one.</source>
+        <translation>Файл пуст: станция потеряла бы свои настройки. Выберите другой.</translation>
+    </message>
+    <message>
+        <source>The file has more than %1 bytes: the station takes only small ones. Choose another one.</source>
+        <translation>В файле больше %1 байт: станция принимает только небольшие. Выберите другой.</translation>
+    </message>
+    <message>
+        <source>No file is chosen.</source>
+        <translation>Файл не выбран.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n byte(s)</source>
+        <translation>
+            <numerusform>%1, %n байт</numerusform>
+            <numerusform>%1, %n байта</numerusform>
+            <numerusform>%1, %n байт</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The name may have Latin letters, digits and signs, but no blanks and no folders.</source>
+        <translation>В имени могут быть латинские буквы, цифры и знаки, но не пробелы и не папки.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Mk14ValuesPanel</name>
+    <message>
+        <source>&amp;Read now</source>
+        <translation>П&amp;рочитать</translation>
+    </message>
+    <message>
+        <source>mean values</source>
+        <translation>средние значения</translation>
+    </message>
+    <message>
+        <source>mean, instantaneous</source>
+        <translation>средние, мгновенные</translation>
+    </message>
+    <message>
+        <source>mean, minimum, maximum</source>
+        <translation>средние, минимум, максимум</translation>
+    </message>
+    <message>
+        <source>mean, instantaneous, minimum, maximum</source>
+        <translation>средние, мгновенные, минимум, максимум</translation>
+    </message>
+    <message>
+        <source>the same and mean voltages</source>
+        <translation>то же и средние напряжения</translation>
+    </message>
+    <message>
+        <source>the same and instantaneous voltages</source>
+        <translation>то же и мгновенные напряжения</translation>
+    </message>
+    <message>
+        <source>mean, maximum since the last request, σ</source>
+        <translation>средние, максимум за срок, σ</translation>
+    </message>
+    <message>
+        <source>mean, σ and maximum of the wind, precipitation</source>
+        <translation>средние, σ и максимум ветра, осадки</translation>
+    </message>
+    <message>
+        <source>Commands 7 and 8 make the station begin a new maximum.</source>
+        <translation>По командам 7 и 8 станция начинает новый максимум за срок.</translation>
+    </message>
+    <message>
+        <source>Values of the station</source>
+        <translation>Значения станции</translation>
+    </message>
+    <message>
+        <source>Precipitation</source>
+        <translation>Осадки</translation>
+    </message>
+    <message>
+        <source>No precipitation. Only command 8 brings it.</source>
+        <translation>Осадков нет. Их передаёт только команда 8.</translation>
+    </message>
+    <message>
+        <source>Data &amp;command:</source>
+        <translation>&amp;Команда данных:</translation>
+    </message>
+    <message>
+        <source>Digital inputs:</source>
+        <translation>Цифровые входы:</translation>
+    </message>
+    <message>
+        <source>The station has no data yet.</source>
+        <translation>У станции ещё нет данных.</translation>
+    </message>
+    <message>
+        <source>Nothing has been read.</source>
+        <translation>Ничего не прочитано.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::NewAddressDialog</name>
     <message>
         <source>New address</source>
@@ -5167,6 +5715,37 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The configuration file lists no ports.</source>
         <translation>В файле настроек нет портов.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::PrecipitationModel</name>
+    <message>
+        <source>goes on</source>
+        <translation>идут</translation>
+    </message>
+    <message>
+        <source>When it began to rain, local time, by the clock of the station</source>
+        <translation>Когда начались осадки, местное время по часам станции</translation>
+    </message>
+    <message>
+        <source>Rain began</source>
+        <translation>Начало осадков</translation>
+    </message>
+    <message>
+        <source>When the rain ended, local time, by the clock of the station</source>
+        <translation>Когда осадки закончились, местное время по часам станции</translation>
+    </message>
+    <message>
+        <source>Rain ended</source>
+        <translation>Конец осадков</translation>
+    </message>
+    <message>
+        <source>How long it rained, h:mm:ss</source>
+        <translation>Сколько шли осадки, ч:мм:сс</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Длительность</translation>
     </message>
 </context>
 <context>
@@ -5634,6 +6213,14 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>%1 (N %2 in the ini)</source>
         <translation>%1 (в ini: N %2)</translation>
+    </message>
+    <message>
+        <source>Settings of the weather station %1</source>
+        <translation>Настройка метеостанции %1</translation>
+    </message>
+    <message>
+        <source>Settings of the weather station %1 on %2</source>
+        <translation>Настройка метеостанции %1 на %2</translation>
     </message>
 </context>
 <context>
@@ -6623,6 +7210,223 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>No frequency stands out.</source>
         <translation>Ни одна частота не выделяется.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::WeatherModel</name>
+    <message>
+        <source>What the station measures</source>
+        <translation>Что измеряет станция</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Параметр</translation>
+    </message>
+    <message>
+        <source>Code and number of the parameter in the station</source>
+        <translation>Код и номер параметра на станции</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Код</translation>
+    </message>
+    <message>
+        <source>Unit of all columns but the last two</source>
+        <translation>Единица всех столбцов, кроме двух последних</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>Mean over the averaging interval of the station</source>
+        <translation>Среднее за интервал осреднения станции</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>Value of the last seconds</source>
+        <translation>Значение последних секунд</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
+        <source>Least value of the averaging interval</source>
+        <translation>Наименьшее значение за интервал осреднения</translation>
+    </message>
+    <message>
+        <source>Min.</source>
+        <translation>Мин.</translation>
+    </message>
+    <message>
+        <source>Largest value of the averaging interval</source>
+        <translation>Наибольшее значение за интервал осреднения</translation>
+    </message>
+    <message>
+        <source>Max.</source>
+        <translation>Макс.</translation>
+    </message>
+    <message>
+        <source>Largest value since the station was asked before</source>
+        <translation>Наибольшее значение с предыдущего запроса станции</translation>
+    </message>
+    <message>
+        <source>Max. since request</source>
+        <translation>Макс. за срок</translation>
+    </message>
+    <message>
+        <source>Root mean square deviation</source>
+        <translation>Среднеквадратическое отклонение</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Measured before any conversion, mean, V or Hz</source>
+        <translation>Измерено до преобразования, среднее, В или Гц</translation>
+    </message>
+    <message>
+        <source>Voltage, V</source>
+        <translation>Напряжение, В</translation>
+    </message>
+    <message>
+        <source>Measured before any conversion, last seconds, V or Hz</source>
+        <translation>Измерено до преобразования, последние секунды, В или Гц</translation>
+    </message>
+    <message>
+        <source>Voltage now, V</source>
+        <translation>Мгнов. напр., В</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::WeatherPage</name>
+    <message>
+        <source>The configuration names no weather station (МК-14).</source>
+        <translation>В конфигурации нет ни одной метеостанции (МК-14).</translation>
+    </message>
+    <message>
+        <source>The station answers, but it has no data yet.</source>
+        <translation>Станция отвечает, но у неё ещё нет данных.</translation>
+    </message>
+    <message>
+        <source>The supply voltage of the station&apos;s sensors is bad: its values are not to be trusted. Check the power supply.</source>
+        <translation>Напряжение питания датчиков станции не в норме: её значениям верить нельзя. Проверьте питание.</translation>
+    </message>
+    <message>
+        <source>The station answers, but none of its values is valid.</source>
+        <translation>Станция отвечает, но ни одно из её значений не достоверно.</translation>
+    </message>
+    <message>
+        <source>The station has no data. It sends them as soon as it has measured.</source>
+        <translation>У станции нет данных. Она передаст их, как только измерит.</translation>
+    </message>
+    <message>
+        <source>The station has not answered yet. Its parameters are listed after the first answer.</source>
+        <translation>Станция ещё не отвечала. Её параметры появятся после первого ответа.</translation>
+    </message>
+    <message>
+        <source>Age of the data: %1</source>
+        <translation>Возраст данных: %1</translation>
+    </message>
+    <message>
+        <source>Weather station</source>
+        <translation>Метеостанция</translation>
+    </message>
+    <message>
+        <source>Time over which the winds are gathered</source>
+        <translation>Время, за которое собран ветер</translation>
+    </message>
+    <message>
+        <source>10 minutes</source>
+        <translation>10 минут</translation>
+    </message>
+    <message>
+        <source>1 hour</source>
+        <translation>1 час</translation>
+    </message>
+    <message>
+        <source>6 hours</source>
+        <translation>6 часов</translation>
+    </message>
+    <message>
+        <source>24 hours</source>
+        <translation>24 часа</translation>
+    </message>
+    <message>
+        <source>&amp;Rose over:</source>
+        <translation>&amp;Роза за:</translation>
+    </message>
+    <message>
+        <source>The wind as numbers</source>
+        <translation>Ветер числами</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Цифровые входы</translation>
+    </message>
+    <message>
+        <source>Precipitation</source>
+        <translation>Осадки</translation>
+    </message>
+    <message>
+        <source>The station tells of no precipitation. Only command 8 brings it.</source>
+        <translation>Станция не сообщает об осадках. Их передаёт только команда 8.</translation>
+    </message>
+    <message>
+        <source>Parameters of the weather station</source>
+        <translation>Параметры метеостанции</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::WindRoseView</name>
+    <message>
+        <source>▲ now %1, %2 m/s</source>
+        <translation>▲ сейчас %1, %2 м/с</translation>
+    </message>
+    <message>
+        <source>△ mean %1, %2 m/s; gust %3 m/s</source>
+        <translation>△ среднее %1, %2 м/с; порыв %3 м/с</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>штиль</translation>
+    </message>
+    <message>
+        <source>Wind rose</source>
+        <translation>Роза ветров</translation>
+    </message>
+    <message>
+        <source>from %1 m/s</source>
+        <translation>от %1 м/с</translation>
+    </message>
+    <message>
+        <source>%1 – %2 m/s</source>
+        <translation>%1 – %2 м/с</translation>
+    </message>
+    <message>
+        <source>Wind now: %1, %2 m/s.</source>
+        <translation>Ветер сейчас: %1, %2 м/с.</translation>
+    </message>
+    <message>
+        <source>The wind is not known now.</source>
+        <translation>Ветер сейчас неизвестен.</translation>
+    </message>
+    <message>
+        <source>No reading of the wind has come yet.</source>
+        <translation>Показаний ветра ещё не было.</translation>
+    </message>
+    <message>
+        <source>calm %1 %</source>
+        <translation>штиль %1 %</translation>
+    </message>
+    <message>
+        <source>Shares over %1: %2.</source>
+        <translation>Доли за %1: %2.</translation>
     </message>
 </context>
 <context>

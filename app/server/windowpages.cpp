@@ -10,6 +10,7 @@
 #include "ui/plots/trendspage.h"
 #include "ui/plots/waveformpage.h"
 #include "ui/plots/xypage.h"
+#include "ui/weather/weatherpage.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -63,6 +64,11 @@ void addWindowPages(MainWindow &window, const PageSources &sources)
         auto *displacement = new DisplacementPage(sources.registry, zeros);
         window.addWidePage(
             displacement, title(QT_TRANSLATE_NOOP("WindowPages", "Displacement")), QKeySequence(Qt::Key_F8));
+    }
+    if (WeatherPage::hasStation(sources.registry)) {
+        window.addWidePage(
+            new WeatherPage(sources.registry), title(QT_TRANSLATE_NOOP("WindowPages", "Weather")),
+            QKeySequence(Qt::Key_F11));
     }
 }
 

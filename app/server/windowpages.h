@@ -18,8 +18,8 @@ struct PageSources
     QString dataFolder;
 };
 
-/// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration, and
-/// <Перемещения> where the site has chains. F5 asks the archive again. All sources outlive the window.
+/// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration,
+/// <Перемещения> where the site has chains, and <Погода> where it has a weather station. F5 asks the archive again. All sources outlive the window.
 void addWindowPages(MainWindow &window, const PageSources &sources);
 
 } // namespace gorizont

@@ -5,6 +5,7 @@
 #include "ui/models/statetext.h"
 #include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
+#include "ui/models/weatherproperties.h"
 
 #include <QFontDatabase>
 
@@ -127,10 +128,12 @@ QString SensorModel::toolTip(const SensorRegistry::Sensor &sensor, int column) c
     default: break;
     }
     const SensorRegistry::Line &line = m_registry.lines()[static_cast<std::size_t>(sensor.line)];
+    const QString weather = weatherSummary(sensor, line.status.state);
     return QStringLiteral("%1\n%2\n%3: %4")
-        .arg(
-            statetext::sensorTitle(sensor.config), sensor.config.name, line.config.title(),
-            statetext::sensor(sensor, line.status.state));
+               .arg(
+                   statetext::sensorTitle(sensor.config), sensor.config.name, line.config.title(),
+                   statetext::sensor(sensor, line.status.state))
+        + (weather.isEmpty() ? QString() : u'\n' + weather);
 }
 
 QVariant SensorModel::data(const QModelIndex &index, int role) const

@@ -4,6 +4,7 @@
 #include "ui/models/statetext.h"
 #include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
+#include "ui/models/weatherproperties.h"
 
 #include <QCoreApplication>
 
@@ -114,8 +115,7 @@ Properties sensorProperties(const SensorRegistry::Sensor &sensor, LineState line
          accelerationNote(reading)},
         {SensorPage::tr("Temperature T, °C"), valuetext::fixed(validTemperature(reading), 2),
          SensorPage::tr("temperature, if the sensor measures it")},
-        // Only the weather station measures wind, and its readings do not come this way.
-        {SensorPage::tr("Wind speed U, V, m/s"), valuetext::absent(),
+        {SensorPage::tr("Wind speed U, V, m/s"), windComponents(sensor, line),
          SensorPage::tr("speed of the wind, if the sensor measures it")},
         {SensorPage::tr("Thermostat, % (rev/s)"),
          valuetext::thermostat(validHeaterPower(config, reading), validFanFrequency(config, reading)),
@@ -130,6 +130,7 @@ Properties sensorProperties(const SensorRegistry::Sensor &sensor, LineState line
          SensorPage::tr("number of CRC errors in what was read from the sensor")},
     };
     rows += informationProperties(sensor);
+    rows += weatherProperties(sensor, line);
     return rows;
 }
 

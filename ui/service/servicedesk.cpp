@@ -2,6 +2,7 @@
 
 #include "ui/service/and3dialog.h"
 #include "ui/service/ind3dialog.h"
+#include "ui/service/mk14dialog.h"
 #include "ui/service/servicetext.h"
 #include "ui/service/usmdialog.h"
 
@@ -16,13 +17,14 @@ namespace gorizont {
 
 namespace {
 
-constexpr std::array serviced{SensorType::InD, SensorType::AnD3, SensorType::UsmIsn};
+constexpr std::array serviced{SensorType::InD, SensorType::AnD3, SensorType::UsmIsn, SensorType::Mk14};
 
 QString objectNameOf(SensorType type)
 {
     switch (type) {
     case SensorType::InD: return QStringLiteral("serviceInD3");
     case SensorType::UsmIsn: return QStringLiteral("serviceUsm");
+    case SensorType::Mk14: return QStringLiteral("serviceMk14");
     default: break;
     }
     return QStringLiteral("serviceAnD3");
@@ -33,6 +35,7 @@ ServiceDialog *makeDialog(SensorType type, const ServicePort &port, QWidget *win
     switch (type) {
     case SensorType::InD: return new Ind3Dialog(port, window);
     case SensorType::UsmIsn: return new UsmDialog(port, window);
+    case SensorType::Mk14: return new Mk14Dialog(port, window);
     default: break;
     }
     return new And3Dialog(port, window);

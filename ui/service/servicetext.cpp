@@ -34,6 +34,7 @@ QString deviceName(SensorType type)
     switch (type) {
     case SensorType::AnD3: return modelInRussian(QStringLiteral("AN-D3"));
     case SensorType::UsmIsn: return modelInRussian(QStringLiteral("USM-ISN"));
+    case SensorType::Mk14: return modelInRussian(QStringLiteral("MK-14"));
     default: break;
     }
     return modelInRussian(QStringLiteral("IN-D3"));
@@ -41,6 +42,10 @@ QString deviceName(SensorType type)
 
 QString menuTitle(SensorType type, const QString &port)
 {
+    if (type == SensorType::Mk14) {
+        return port.isEmpty() ? ServiceText::tr("Settings of the weather station %1").arg(deviceName(type))
+                              : ServiceText::tr("Settings of the weather station %1 on %2").arg(deviceName(type), port);
+    }
     return port.isEmpty() ? ServiceText::tr("Settings of %1 sensors").arg(deviceName(type))
                           : ServiceText::tr("Settings of %1 sensors on %2").arg(deviceName(type), port);
 }
