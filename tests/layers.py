@@ -30,7 +30,7 @@ ROOMS = {
     "core/metrics": ["core/values", "core/config", "core/registry"],
     "core/opc": ["core/values", "core/config", "core/registry", "core/net"],
     "core/export": ["core/values"],
-    "core/station": ["core/values", "core/protocol", "core/line"],
+    "core/station": ["core/values", "core/files", "core/protocol", "core/line"],
     "core/simulation": [
         "core/values", "core/protocol/mbap.h", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h",
     ],

@@ -19,11 +19,6 @@ class Text
     Q_DECLARE_TR_FUNCTIONS(gorizont::ReceivedFile)
 };
 
-bool isPlain(QChar character)
-{
-    return character.isLetterOrNumber() || character == u'.';
-}
-
 /// The path of the file that means \a canonical, however it is written; a new one in capitals if there is none.
 QString pathOf(const QDir &folder, const QString &canonical)
 {
@@ -52,9 +47,9 @@ QString keepOld(const QString &path)
 ReceivedFile storeReceivedFile(const QString &folder, const QByteArray &name, const QByteArray &text)
 {
     const QString written = decodeStationText(name);
-    const QString canonical = std::all_of(written.begin(), written.end(), isPlain) ? canonicalName(written) : QString();
-    if (canonical.isEmpty() || canonical == QStringLiteral("ACK.SRC")) {
-        return {quoted(written), Text::tr("a station takes no file of this name from a line")};
+    const QString canonical = canonicalName(written); // a name with a path is none
+    if (canonical.isEmpty()) {
+        return {quoted(written), Text::tr("A station takes no file of this name from a line.")};
     }
     const QString path = pathOf(QDir(folder), canonical);
     QString problem = keepOld(path);

@@ -89,8 +89,7 @@ Weather weatherOf(int command, const ack::Answer &answer, const QList<std::optio
 
 WindExtras extrasOf(const ack::Answer &answer)
 {
-    return {
-        widened(answer.extras.value(0)), widened(answer.extras.value(1)), widened(answer.extras.value(2))};
+    return {widened(answer.extras.value(0)), widened(answer.extras.value(1)), widened(answer.extras.value(2))};
 }
 
 } // namespace gorizont::station
