@@ -28,6 +28,8 @@ class Prefix:
             "WINEARCH": "win64", "LC_ALL": "C.UTF-8"}
         self.log = (self.folder / "wine.log").open("ab")
         self._call(["wine", "wineboot", "--init"], BOOT_SECONDS)
+        # What the first start has begun must have ended: a COM server that is started meanwhile is never found.
+        self._call(["wineserver", "-w"], BOOT_SECONDS)
 
     def close(self):
         subprocess.run(["wineserver", "-k"], env=self.environment, timeout=60, check=False)
