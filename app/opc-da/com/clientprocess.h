@@ -1,0 +1,10 @@
+#pragma once
+#include "com/platform.h"
+
+namespace opcda
+{
+
+/// The id of the local process whose call this thread serves; 0 when it is on another machine, cannot be told, or no call runs.
+DWORD callingProcess();
+
+} // namespace opcda

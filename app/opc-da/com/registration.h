@@ -1,0 +1,17 @@
+#pragma once
+#include "com/settings.h"
+#include "com/platform.h"
+
+namespace opcda
+{
+
+enum class Scope { Machine, User };
+
+/// Writes all that COM and OPC clients need to find this program: `Settings` too. Interfaces get the proxy beside this program
+/// only where they have none. Notes every key that was not there before. A Windows error code, 0 when all is well.
+LONG registerServer(Scope scope, const Settings &settings);
+
+/// Takes away what registration noted, in the opposite order; a key that others have filled since then stays.
+LONG unregisterServer(Scope scope);
+
+} // namespace opcda

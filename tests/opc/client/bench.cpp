@@ -1,0 +1,115 @@
+#include "tests/opc/client/cases.h"
+#include "tests/opc/client/listener.h"
+
+#include <psapi.h>
+
+namespace opctest
+{
+
+namespace
+{
+
+double seconds()
+{
+    return static_cast<double>(GetTickCount64()) / 1000;
+}
+
+/// Private bytes of the gateway in KiB.
+double gatewayMemory()
+{
+    const auto ids = processesOf(L"gorizont-opc-da.exe");
+    if (ids.empty())
+        return 0;
+    const HANDLE process = OpenProcess(PROCESS_QUERY_INFORMATION | PROCESS_VM_READ, FALSE, ids.front());
+    PROCESS_MEMORY_COUNTERS counters{};
+    GetProcessMemoryInfo(process, &counters, sizeof(counters));
+    CloseHandle(process);
+    return static_cast<double>(counters.PagefileUsage) / 1024;
+}
+
+void benchChanges(IOPCServer *server)
+{
+    const auto group = addGroup(server, L"changes", 100);
+    std::vector<std::wstring> names;
+    for (int i = 1; i <= Bulk; ++i)
+        names.push_back(bulkName(i));
+    addItems(group.items.Get(), names);
+    Subscription subscription(group.items.Get());
+    Listener *listener = subscription.listener.Get();
+    listener->keepsCalls = false;
+    happens([&] { return listener->values >= Bulk; });
+    constexpr int Rounds = 100;
+    const long long before = listener->values;
+    const double start = seconds();
+    ask("load 0.1 " + std::to_string(Rounds));
+    ReadItem item;
+    const bool isComplete = happens(
+        [&] {
+            for (OPCHANDLE i = 0; i < Bulk; ++i) {
+                if (!listener->last(i, item) || item.number != Rounds)
+                    return false;
+            }
+            return true;
+        },
+        120);
+    const double took = seconds() - start;
+    const auto told = static_cast<double>(listener->values - before);
+    check("bench.changes.last", isComplete);
+    note("changes: " + std::to_string(told / took) + " a second reached the client, " + std::to_string(told) + " of "
+         + std::to_string(Rounds * Bulk) + " steps, the rest was overtaken by a newer step before its turn");
+    subscription.unadvise();
+}
+
+void benchReads(IOPCServer *server)
+{
+    const auto group = addGroup(server, L"reads", 100);
+    std::vector<std::wstring> names;
+    for (int i = 1; i <= Bulk; ++i)
+        names.push_back(bulkName(i));
+    auto handles = addItems(group.items.Get(), names);
+    for (const std::size_t size : {std::size_t{1}, std::size_t{10}, std::size_t{1000}}) {
+        const std::vector<OPCHANDLE> some(handles.begin(), handles.begin() + static_cast<std::ptrdiff_t>(size));
+        const double start = seconds();
+        int reads = 0;
+        for (; seconds() < start + 3; ++reads)
+            readItems(group.items.Get(), some);
+        const double rate = reads / (seconds() - start);
+        note("reads of " + std::to_string(size) + " items: " + std::to_string(rate) + " calls a second, "
+             + std::to_string(rate * static_cast<double>(size)) + " values a second");
+    }
+}
+
+void benchSubscriptions(IOPCServer *server, int count)
+{
+    double begun = 0;
+    const double start = seconds();
+    for (int i = 0; i < count; ++i) {
+        if (i == count / 10)
+            begun = gatewayMemory();
+        const auto group = addGroup(server, L"", 1000);
+        addItems(group.items.Get(), {And3 + L".DATA.Angl_X"});
+        Subscription subscription(group.items.Get());
+        subscription.unadvise();
+        server->RemoveGroup(group.handle, TRUE);
+    }
+    const double end = gatewayMemory();
+    note("subscriptions: " + std::to_string(count) + " in " + std::to_string(seconds() - start) + " s; memory after a tenth "
+         + std::to_string(begun) + " KiB, at the end " + std::to_string(end) + " KiB");
+    check("bench.memory", end < begun * 1.1 + 1024);
+}
+
+} // namespace
+
+void runBench()
+{
+    const auto server = connected();
+    check("bench.server", server != nullptr);
+    if (!server)
+        return;
+    benchChanges(server.Get());
+    benchReads(server.Get());
+    const wchar_t *wanted = _wgetenv(L"OPC_BENCH_SUBSCRIPTIONS");
+    benchSubscriptions(server.Get(), wanted ? _wtoi(wanted) : 100000);
+}
+
+} // namespace opctest
