@@ -309,6 +309,34 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>mm</source>
         <translation>мм</translation>
     </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Скорость ветра</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Направление ветра</translation>
+    </message>
+    <message>
+        <source>Maximum wind speed</source>
+        <translation>Максимальная скорость ветра</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Давление</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Влажность</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
 </context>
 <context>
     <name>Ind3Driver</name>
@@ -447,6 +475,96 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>Mk14Driver</name>
+    <message>
+        <source>The station has data again.</source>
+        <translation>У станции снова есть данные.</translation>
+    </message>
+    <message>
+        <source>The station answers, but has no data. It may just have been switched on.</source>
+        <translation>Станция отвечает, но данных у неё нет. Возможно, она только что включена.</translation>
+    </message>
+    <message>
+        <source>The station sends %1 parameters, but %2 are listed. Its values are named by their place. Make Params%3 or ParFile%3 agree with the station&apos;s ACK.PAR.</source>
+        <translation>Станция передаёт параметров: %1, а перечислено: %2. Величины названы по месту. Приведите Params%3 или ParFile%3 в соответствие с ACK.PAR станции.</translation>
+    </message>
+    <message>
+        <source>The station does not answer CMD %1, but others it does. Leave it out in Cmd%2.</source>
+        <translation>На команду %1 станция не отвечает, на другие отвечает. Исключите её в ключе Cmd%2.</translation>
+    </message>
+    <message>
+        <source>%1%2 is &quot;%3&quot;, but takes %4. Its usual value is used.</source>
+        <translation>%1%2 задан как «%3», а допустимо: %4. Взято обычное значение.</translation>
+    </message>
+    <message>
+        <source>numbers from 1 to 8, like 8,4</source>
+        <translation>числа от 1 до 8, например 8,4</translation>
+    </message>
+    <message>
+        <source>a number of at most 32 bits, like 5 or 0x0005</source>
+        <translation>число не длиннее 32 бит, например 5 или 0x0005</translation>
+    </message>
+    <message>
+        <source>letters, like U,T,P,H,A,M</source>
+        <translation>буквы, например U,T,P,H,A,M</translation>
+    </message>
+    <message>
+        <source>ParFile%1: %2: %3. Params%1 is used.</source>
+        <translation>ParFile%1: %2: %3. Действует Params%1.</translation>
+    </message>
+    <message>
+        <source>ParFile%1: %2, line %3: name, unit, short name, code (a letter) and number are expected. The line is left out.</source>
+        <translation>ParFile%1: %2, строка %3: нужны наименование, единицы, условное имя, код (буква) и номер. Строка пропущена.</translation>
+    </message>
+    <message>
+        <source>ParFile%1: %2 has no parameter. Params%1 is used.</source>
+        <translation>ParFile%1: в %2 нет ни одного параметра. Действует Params%1.</translation>
+    </message>
+</context>
+<context>
+    <name>Mk14Parameters</name>
+    <message>
+        <source>Supply voltage</source>
+        <translation>Напряжение питания</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Температура</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Давление</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Влажность</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Направление ветра</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Скорость ветра</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>Wind speed, mean vector</source>
+        <translation>Скорость ветра по составляющим</translation>
+    </message>
+</context>
+<context>
     <name>Modbus</name>
     <message>
         <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are not served there.</source>
@@ -581,6 +699,38 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>%1 d %2</source>
         <translation>%1 сут %2</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Давление</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Влажность</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Скорость ветра</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Направление ветра</translation>
+    </message>
+    <message>
+        <source>Maximum wind speed</source>
+        <translation>Максимальная скорость ветра</translation>
     </message>
 </context>
 <context>
@@ -1263,6 +1413,66 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Displacement along Y over the foot of the chain</source>
         <translation>Перемещение по Y относительно основания цепочки</translation>
+    </message>
+    <message>
+        <source>wind, weather and digital inputs are of now</source>
+        <translation>ветер, погода и цифровые входы текущие</translation>
+    </message>
+    <message>
+        <source>wind and weather</source>
+        <translation>ветер и погода</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>Speed of the wind, mean</source>
+        <translation>Скорость ветра, средняя</translation>
+    </message>
+    <message>
+        <source>Direction of the wind, mean</source>
+        <translation>Направление ветра, среднее</translation>
+    </message>
+    <message>
+        <source>Largest speed of the wind in the last turns</source>
+        <translation>Наибольшая скорость ветра за последние опросы</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the speed of the wind</source>
+        <translation>Среднеквадратическое отклонение скорости ветра</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
+    <message>
+        <source>Pressure of the air</source>
+        <translation>Давление воздуха</translation>
+    </message>
+    <message>
+        <source>Humidity of the air</source>
+        <translation>Влажность воздуха</translation>
+    </message>
+    <message>
+        <source>Digital inputs of a weather station, bit 0 the first</source>
+        <translation>Цифровые входы метеостанции, бит 0 — первый</translation>
+    </message>
+    <message>
+        <source>Direction of the largest speed; 0: stations do not say it</source>
+        <translation>Направление при наибольшей скорости; 0: станции его не сообщают</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the direction of the wind</source>
+        <translation>Среднеквадратическое отклонение направления ветра</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>A station that does not answer keeps its last values, 0 if there never were any; the status word says so. FFFFh: the station answers, but has no such value.</source>
+        <translation>У станции, которая не отвечает, остаются последние значения, 0, если их не было; об этом говорит слово состояния. FFFFh: станция отвечает, но такого значения у неё нет.</translation>
     </message>
 </context>
 <context>
@@ -7750,6 +7960,168 @@ settings   записывает его настройки в файл или ф�
     <message>
         <source>the module refuses the settings (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); it keeps those it had</source>
         <translation>модуль отказывается от настроек (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); у него остались прежние</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what the station did not send, or sent as not valid, is absent:
+  every one   type (MK-14), device, address
+  read        cmd, digital, parameters: code, number, name, unit, mean, instant, min, max, voltage,
+              voltageInstant, maxPeriod, deviation; events: start, time (s)
+  set-…,      setting (time, outputs, file), done; time: seconds since 1970 that were sent; outputs, digital;
+  send-file   file, name
+  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, по объекту в строке; чего станция не передала или передала негодным, того нет:
+  каждый      type (MK-14), device, address
+  read        cmd, digital, parameters: code, number, name, unit, mean, instant, min, max, voltage,
+              voltageInstant, maxPeriod, deviation; events: start, time (с)
+  set-…,      setting (time, outputs, file), done; time: переданные секунды с 1970 года; outputs, digital;
+  send-file   file, name
+  неудача     fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>mk14 takes one of %1; see gorizont-tool mk14 --help</source>
+        <translation>после mk14 нужно одно из: %1; см. gorizont-tool mk14 --help</translation>
+    </message>
+    <message>
+        <source>outputs are a number like 5 or 0x0005, not &quot;%1&quot;</source>
+        <translation>слово выходов — число, например 5 или 0x0005, а не «%1»</translation>
+    </message>
+    <message>
+        <source>Reads and sets a weather station МК-14. The line must not be open in another program.</source>
+        <translation>Читает и настраивает метеостанцию МК-14. Линия не должна быть открыта другой программой.</translation>
+    </message>
+    <message>
+        <source>read         prints what it measures, by --cmd
+set-time     sets its clock to that of this computer
+set-outputs  gives its outputs the control word WORD, like 5 or 0x0005
+send-file    sends it a settings file like ACK.PAR</source>
+        <translation>read         печатает, что она измеряет, командой --cmd
+set-time     ставит её часы по часам этого компьютера
+set-outputs  задаёт управляющее слово выходов WORD, например 5 или 0x0005
+send-file    передаёт ей файл настройки, например ACK.PAR</translation>
+    </message>
+    <message>
+        <source>Every question carries the control word of the outputs: give read the one that shall stay with --outputs. A server that polls the station repeats its own, Outputs{i} of the ini.</source>
+        <translation>Управляющее слово выходов есть в каждом запросе: для read задайте ключом --outputs то, которое должно остаться. Сервер, который опрашивает станцию, повторяет своё — Outputs{i} из ini.</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 refused by the user, or impossible; 2 the command line is wrong; 3 no answer, not confirmed, or the port cannot be opened.</source>
+        <translation>Коды выхода: 0 сделано; 1 отказ пользователя или невозможно; 2 ошибка в командной строке; 3 нет ответа, не подтверждено или порт не открывается.</translation>
+    </message>
+    <message>
+        <source>Speed; %1 if not given.</source>
+        <translation>Скорость; если не задана — %1.</translation>
+    </message>
+    <message>
+        <source>Data bits; 8 if not given.</source>
+        <translation>Биты данных; если не заданы — 8.</translation>
+    </message>
+    <message>
+        <source>Address of the station, 1…255; 1 if not given.</source>
+        <translation>Адрес станции, 1…255; если не задан — 1.</translation>
+    </message>
+    <message>
+        <source>read: data command, 1…8; 4 if not given.</source>
+        <translation>read: команда, 1…8; если не задана — 4.</translation>
+    </message>
+    <message>
+        <source>Codes of its parameters in order; U,T,P,H,A,M if not given.</source>
+        <translation>Коды её параметров по порядку; если не заданы — U,T,P,H,A,M.</translation>
+    </message>
+    <message>
+        <source>Its ACK.PAR file, which has their codes, names and units.</source>
+        <translation>Её файл ACK.PAR: коды, названия и единицы.</translation>
+    </message>
+    <message>
+        <source>read: control word of the outputs; 0 if not given.</source>
+        <translation>read: управляющее слово выходов; если не задано — 0.</translation>
+    </message>
+    <message>
+        <source>set-time: the clock of the station shows UTC, not local time.</source>
+        <translation>set-time: часы станции показывают UTC, а не местное время.</translation>
+    </message>
+    <message>
+        <source>send-file: the name that the station gets; that of the file if not given.</source>
+        <translation>send-file: имя, под которым файл получит станция; если не задано — имя файла.</translation>
+    </message>
+    <message>
+        <source>not confirmed (%1)</source>
+        <translation>не подтверждено (%1)</translation>
+    </message>
+    <message>
+        <source>Set the clock of station %1?</source>
+        <translation>Поставить часы станции %1?</translation>
+    </message>
+    <message>
+        <source>The clock of the station shows %1.</source>
+        <translation>Часы станции показывают %1.</translation>
+    </message>
+    <message>
+        <source>Give the outputs of station %1 the word %2?</source>
+        <translation>Задать выходам станции %1 слово %2?</translation>
+    </message>
+    <message>
+        <source>The outputs have the word %1. A server that polls the station must have it as Outputs{i} too.</source>
+        <translation>У выходов слово %1. У сервера, который опрашивает станцию, оно должно стоять и в Outputs{i}.</translation>
+    </message>
+    <message>
+        <source>longer than 64 KiB</source>
+        <translation>длиннее 64 КиБ</translation>
+    </message>
+    <message>
+        <source>Send %1 to station %2?</source>
+        <translation>Передать %1 станции %2?</translation>
+    </message>
+    <message>
+        <source>The station has %1.</source>
+        <translation>%1 у станции.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>сейчас</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>max of the period</source>
+        <translation>макс. за срок</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>напряжение</translation>
+    </message>
+    <message>
+        <source>voltage now</source>
+        <translation>напряжение сейчас</translation>
+    </message>
+    <message>
+        <source>precipitation began %1</source>
+        <translation>осадки начались %1</translation>
+    </message>
+    <message>
+        <source>precipitation ended %1</source>
+        <translation>осадки кончились %1</translation>
+    </message>
+    <message>
+        <source>the station has no data</source>
+        <translation>у станции нет данных</translation>
+    </message>
+    <message>
+        <source>digital inputs: %1</source>
+        <translation>цифровые входы: %1</translation>
+    </message>
+    <message>
+        <source>gorizont-tool mk14 --help tells of МК-14 weather stations.</source>
+        <translation>О метеостанциях МК-14 — gorizont-tool mk14 --help.</translation>
     </message>
 </context>
 </TS>

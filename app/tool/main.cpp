@@ -1,6 +1,7 @@
 #include "app/tool/archivecommand.h"
 #include "app/tool/exportprogram.h"
 #include "app/tool/interruption.h"
+#include "app/tool/mk14program.h"
 #include "app/tool/options.h"
 #include "app/tool/output.h"
 #include "app/tool/session.h"
@@ -63,6 +64,9 @@ int main(int argc, char **argv)
     }
     if (arguments.value(1) == u"export") {
         return runExportProgram(arguments.mid(2));
+    }
+    if (arguments.value(1) == u"mk14") {
+        return runMk14(arguments.mid(2));
     }
     if (arguments.value(1) == u"vims") {
         return runVims(arguments.mid(2));

@@ -51,7 +51,8 @@ QString description()
                     "program.")
         + u"\n\n"_s + Text::tr("Commands:") + u'\n' + commandTable() + u'\n'
         + Text::tr("gorizont-tool archive --help and gorizont-tool export --help tell of the archive of readings.")
-        + u'\n' + Text::tr("gorizont-tool vims --help tells of L-VIMS vibration modules.") + u"\n\n"_s
+        + u'\n' + Text::tr("gorizont-tool vims --help tells of L-VIMS vibration modules.") + u'\n'
+        + Text::tr("gorizont-tool mk14 --help tells of МК-14 weather stations.") + u"\n\n"_s
         + Text::tr("Exit codes: 0 done; 1 refused by the sensor or by the user; 2 the command line is wrong; 3 no "
                    "answer, or "
                    "the port cannot be opened.")

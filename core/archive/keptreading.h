@@ -30,12 +30,14 @@ struct KeptReading
     }
 };
 
-/// Displacements are computed, to far more digits than a tilt has: they are kept to a micrometre. All others as they are.
+/// What has far more digits than meaning is rounded: displacements, which are computed, to a micrometre; the weather, of which stations
+/// show tenths, to a hundredth. All others are kept as they are.
 inline std::optional<double> keptValue(const std::optional<double> &value, Quantity quantity)
 {
-    constexpr double parts = 1000; // of a millimetre
     const bool isComputed = quantity == Quantity::DisplacementX || quantity == Quantity::DisplacementY;
-    return value && isComputed ? std::round(*value * parts) / parts : value;
+    const bool isWeather = quantity >= Quantity::WindSpeed && quantity <= Quantity::Humidity;
+    const double parts = isComputed ? 1000 : 100;
+    return value && (isComputed || isWeather) ? std::round(*value * parts) / parts : value;
 }
 
 /// \a quantities: those that the sensor measures; samples are not among the values of a reading.

@@ -59,7 +59,8 @@ void setCapabilities(SensorConfig &sensor, bool isAccelOn)
     sensor.hasThermostat = keywords.hasThermostat;
     const bool isAnD3 = sensor.type == SensorType::AnD3;
     sensor.measuresTilt = isAnD3 || sensor.type == SensorType::InD || sensor.type == SensorType::UsmIsn;
-    sensor.measuresTemperature = isAnD3 || sensor.type == SensorType::UsmIsn;
+    sensor.measuresWeather = sensor.type == SensorType::Mk14;
+    sensor.measuresTemperature = isAnD3 || sensor.type == SensorType::UsmIsn || sensor.measuresWeather;
     sensor.measuresAcceleration = isAnD3 && isAccelOn;
 }
 

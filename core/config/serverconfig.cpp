@@ -211,6 +211,21 @@ void readUsmRevive(SectionReader &common, QList<LineConfig> &lines)
     }
 }
 
+/// Of the site or of a port; a station with a key of its own decides for itself.
+void readStationClock(const IniFile &file, QList<LineConfig> &lines)
+{
+    const QString key = u"StationClock"_s;
+    for (LineConfig &line : lines) {
+        const auto ofPort = file.find(u"Port%1"_s.arg(line.index), key);
+        const auto entry = ofPort ? ofPort : file.find(u"Common"_s, key);
+        for (SensorConfig &sensor : line.sensors) {
+            if (entry && sensor.type == SensorType::Mk14 && !sensor.options.contains(key.toLower())) {
+                sensor.options.insert(key.toLower(), entry->value);
+            }
+        }
+    }
+}
+
 } // namespace
 
 ConfigReading readServerConfig(const IniFile &file)
@@ -229,6 +244,7 @@ ConfigReading readServerConfig(const IniFile &file)
     config.timing = readTiming(file, findings);
     config.lines = readLines(file, findings);
     readUsmRevive(common, config.lines);
+    readStationClock(file, config.lines);
     settleClaims(config.lines, file, findings);
     readAdc24(file, findings, config);
     config.chains = readChains(file, config.lines, findings);

@@ -40,6 +40,11 @@ constexpr std::array names{
     Name{Quantity::SampleY, "sample-y", "mm/s2", 4},
     Name{Quantity::DisplacementX, "displacement-x", "mm", 3},
     Name{Quantity::DisplacementY, "displacement-y", "mm", 3},
+    Name{Quantity::WindSpeed, "wind-speed", "m/s", 2},
+    Name{Quantity::WindDirection, "wind-direction", "deg", 1},
+    Name{Quantity::WindMaximum, "wind-max", "m/s", 2},
+    Name{Quantity::Pressure, "pressure", "mmHg", 2},
+    Name{Quantity::Humidity, "humidity", "%", 2},
 };
 
 const Name &nameOf(Quantity quantity)
@@ -95,6 +100,11 @@ QString quantity(Quantity quantity)
     case Quantity::SampleY: return Export::tr("Acceleration Y");
     case Quantity::DisplacementX: return Export::tr("Displacement X");
     case Quantity::DisplacementY: return Export::tr("Displacement Y");
+    case Quantity::WindSpeed: return Export::tr("Wind speed");
+    case Quantity::WindDirection: return Export::tr("Wind direction");
+    case Quantity::WindMaximum: return Export::tr("Maximum wind speed");
+    case Quantity::Pressure: return Export::tr("Pressure");
+    case Quantity::Humidity: return Export::tr("Humidity");
     }
     return {};
 }
@@ -105,9 +115,14 @@ QString unit(Quantity quantity)
     case Quantity::TiltX:
     case Quantity::TiltY: return Export::tr("arc-seconds");
     case Quantity::Temperature: return Export::tr("°C");
-    case Quantity::HeaterPower: return Export::tr("%");
+    case Quantity::HeaterPower:
+    case Quantity::Humidity: return Export::tr("%");
     case Quantity::FanFrequency: return Export::tr("1/s");
-    case Quantity::AccelDirection: return Export::tr("degrees");
+    case Quantity::AccelDirection:
+    case Quantity::WindDirection: return Export::tr("degrees");
+    case Quantity::WindSpeed:
+    case Quantity::WindMaximum: return Export::tr("m/s");
+    case Quantity::Pressure: return Export::tr("mm Hg");
     case Quantity::DisplacementX:
     case Quantity::DisplacementY: return Export::tr("mm");
     default: return Export::tr("mm/s²");

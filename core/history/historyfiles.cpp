@@ -45,6 +45,7 @@ void HistoryFiles::close()
 {
     m_data.close();
     m_acceleration.close();
+    m_weather.close();
     m_log.close();
     for (auto &[number, file] : m_samples) {
         file.close();
@@ -59,6 +60,11 @@ void HistoryFiles::writeData(QDate today, const QByteArray &record)
 void HistoryFiles::writeAcceleration(QDate today, const QByteArray &record)
 {
     write(HistoryStream::Acceleration, m_acceleration, monthFileName(today, MonthFile::Acceleration), record);
+}
+
+void HistoryFiles::writeWeather(QDate today, const QByteArray &records)
+{
+    write(HistoryStream::Weather, m_weather, monthFileName(today, MonthFile::Weather), records);
 }
 
 void HistoryFiles::write(HistoryStream stream, RecordFile &file, const QString &name, const QByteArray &record)

@@ -35,6 +35,7 @@ public:
 
     void writeData(QDate today, const QByteArray &record);
     void writeAcceleration(QDate today, const QByteArray &record);
+    void writeWeather(QDate today, const QByteArray &records);
 
     /// Returns the samples that are in the files of the block's sensor since the start of the program.
     quint64 save(const SampleBlock &block);
@@ -54,6 +55,7 @@ private:
     const Note m_note;
     RecordFile m_data;
     RecordFile m_acceleration;
+    RecordFile m_weather;
     LogFile m_log;
     std::map<int, SampleFile> m_samples; ///< by N
     QList<JournalEntry> m_events;

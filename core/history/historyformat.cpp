@@ -72,6 +72,16 @@ void appendAcceleration(QByteArray &record, const Reading &reading)
 
 } // namespace
 
+QByteArray historyField(const std::optional<double> &value, int decimals)
+{
+    return field(value, decimals);
+}
+
+QByteArray recordBeginning(const QDateTime &local, const QByteArray &channels)
+{
+    return beginning(local, channels);
+}
+
 QDateTime localTime(UtcTime time, const QTimeZone &zone)
 {
     const auto milliseconds = std::chrono::floor<std::chrono::milliseconds>(time).time_since_epoch().count();
@@ -138,7 +148,7 @@ QString logRecord(const JournalEntry &entry, const QTimeZone &zone)
 
 QString monthFileName(QDate month, MonthFile file)
 {
-    static constexpr std::array names{"data", "adata", "log"};
+    static constexpr std::array names{"data", "adata", "log", "wdata"};
     return month.toString(u"yyyy_MM_") + QLatin1String(names.at(static_cast<std::size_t>(file)))
         + QStringLiteral(".txt");
 }

@@ -24,13 +24,19 @@ struct SensorColumns
     Reading reading;
 };
 
-enum class MonthFile : quint8 { Data, Acceleration, Log };
+enum class MonthFile : quint8 { Data, Acceleration, Log, Weather };
 
 /// \a time as the clock on the wall of \a zone shows it; an invalid zone is that of the computer.
 QDateTime localTime(UtcTime time, const QTimeZone &zone);
 
 /// One digit 0…3 a port, port 1 rightmost, at least four digits; a slot without a port is 3 (in Modbus it is 0).
 QByteArray channelDigits(const QList<LineStatus> &lines);
+
+/// `%8.{decimals}f`, the same in every locale; empty: there is no value, or it is not a number.
+QByteArray historyField(const std::optional<double> &value, int decimals);
+
+/// `18:33:03 07.02.18⇥3300`: how the records of measured values begin.
+QByteArray recordBeginning(const QDateTime &local, const QByteArray &channels);
 
 /// The code in decimal, then the other bits in groups of four: `10 0000 0001 0100`.
 QByteArray statusDigits(quint16 word);

@@ -1,5 +1,6 @@
 #include "core/history/historywriter.h"
 
+#include "core/history/weatherformat.h"
 #include "core/values/statusword.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ HistoryWriter::HistoryWriter(const HistoryConfig &config, Clock clock, QObject *
     for (qsizetype i = 0; i < m_sensors.size(); ++i) {
         m_indexOfNumber.insert(m_sensors.at(i).config.number, i);
         m_hasAccelerometers |= m_sensors.at(i).config.measuresAcceleration;
+        m_hasWeatherStations |= m_sensors.at(i).config.measuresWeather;
     }
     m_tickTimer.setSingleShot(true);
     m_tickTimer.setTimerType(Qt::PreciseTimer);
@@ -165,6 +167,9 @@ void HistoryWriter::writeRecords()
     }
     if (m_config.savesFiles && m_hasAccelerometers) {
         m_files.writeAcceleration(local.date(), accelerationRecord(local, channels, m_sensors));
+    }
+    if (m_config.savesFiles && m_hasWeatherStations) {
+        m_files.writeWeather(local.date(), weatherRecords(local, channels, m_sensors));
     }
     Q_EMIT dataLineWritten(QString::fromLatin1(record).chopped(2));
 }

@@ -67,6 +67,7 @@ private:
     QHash<int, qsizetype> m_indexOfNumber;
     QList<LineStatus> m_lines;
     bool m_hasAccelerometers = false;
+    bool m_hasWeatherStations = false;
 
     Cadence m_cadence;
     ClockWatch m_clockWatch;

@@ -9,7 +9,7 @@
 namespace gorizont {
 
 /// The kinds of files that can fail apart from each other.
-enum class HistoryStream : quint8 { Data, Acceleration, Log, Samples };
+enum class HistoryStream : quint8 { Data, Acceleration, Log, Samples, Weather };
 
 /// Remembers which files cannot be written, so that the journal hears once when something stops being saved and once
 /// when everything is saved again, and the disk is asked every few seconds only. Pure.

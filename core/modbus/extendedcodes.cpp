@@ -17,9 +17,14 @@ bool hasAcceleration(const SlotState &s)
     return s.reading.acceleration && isAccelerationValid(s.reading.status);
 }
 
+bool hasWeather(const SlotState &s)
+{
+    return s.reading.weather && s.isCurrent;
+}
+
 std::span<const SlotBit> extendedFlags()
 {
-    static constexpr std::array<SlotBit, 10> bits{{
+    static constexpr std::array<SlotBit, 11> bits{{
         {0, QT_TRANSLATE_NOOP("RegisterMap", "the slot belongs to a sensor"),
          [](const SlotState &s) { return !s.slot.isHole(); }},
         {1, QT_TRANSLATE_NOOP("RegisterMap", "the sensor is switched on"),
@@ -36,13 +41,14 @@ std::span<const SlotBit> extendedFlags()
          [](const SlotState &s) { return s.reading.rawMode.has_value(); }},
         {9, QT_TRANSLATE_NOOP("RegisterMap", "packets of samples are counted"),
          [](const SlotState &s) { return s.reading.ring.has_value(); }},
+        {10, QT_TRANSLATE_NOOP("RegisterMap", "wind, weather and digital inputs are of now"), hasWeather},
     }};
     return bits;
 }
 
 std::span<const SlotBit> extendedQuantities()
 {
-    static constexpr std::array<SlotBit, 4> bits{{
+    static constexpr std::array<SlotBit, 5> bits{{
         {0, QT_TRANSLATE_NOOP("RegisterMap", "tilt"), [](const SlotState &s) { return s.slot.sensor.measuresTilt; }},
         {1, QT_TRANSLATE_NOOP("RegisterMap", "temperature"),
          [](const SlotState &s) { return s.slot.sensor.measuresTemperature; }},
@@ -50,6 +56,8 @@ std::span<const SlotBit> extendedQuantities()
          [](const SlotState &s) { return s.slot.sensor.measuresAcceleration; }},
         {3, QT_TRANSLATE_NOOP("RegisterMap", "thermostat"),
          [](const SlotState &s) { return s.slot.sensor.hasThermostat; }},
+        {4, QT_TRANSLATE_NOOP("RegisterMap", "wind and weather"),
+         [](const SlotState &s) { return s.slot.sensor.measuresWeather; }},
     }};
     return bits;
 }

@@ -29,5 +29,7 @@ std::span<const TypeCode> extendedTypes();
 bool hasTilt(const SlotState &state);
 bool hasTemperature(const SlotState &state);
 bool hasAcceleration(const SlotState &state);
+/// A weather station answers; its values may be valid or not, each for itself.
+bool hasWeather(const SlotState &state);
 
 } // namespace gorizont

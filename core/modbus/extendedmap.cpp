@@ -1,6 +1,7 @@
 #include "core/modbus/extendedmap.h"
 
 #include "core/modbus/extendedcodes.h"
+#include "core/values/wind.h"
 
 #include <QtGlobal>
 
@@ -70,6 +71,14 @@ template <double Displacement::*member> Value displacement(const SlotState &s)
 {
     return hasTilt(s) && s.reading.displacement && s.reading.displacement->sum ? (*s.reading.displacement->sum).*member
                                                                                : absent;
+}
+template <std::optional<double> Wind::*member> Value wind(const SlotState &s)
+{
+    return hasWeather(s) ? (windOf(*s.reading.weather).*member).value_or(absent) : absent;
+}
+template <char16_t code> Value weather(const SlotState &s)
+{
+    return hasWeather(s) ? meanOf(*s.reading.weather, code).value_or(absent) : absent;
 }
 template <std::chrono::microseconds Reading::*member> Value turn(const SlotState &s)
 {
@@ -176,7 +185,7 @@ constexpr std::array<SlotField, 3> directory{{
     {3, UInt16, 1, "flags", "", QT_TRANSLATE_NOOP("RegisterMap", "Flags of the slot"), flags},
 }};
 
-constexpr std::array<SlotField, 36> block{{
+constexpr std::array<SlotField, 43> block{{
     {0, UInt32, 1, "number", "", QT_TRANSLATE_NOOP("RegisterMap", "Site number N; 0: an empty slot"), number},
     {2, UInt16, 1, "port", "", QT_TRANSLATE_NOOP("RegisterMap", "Number of the port in the ini, 1…16"),
      [](const SlotState &s) { return Value(s.slot.sensor.port); }},
@@ -251,6 +260,20 @@ constexpr std::array<SlotField, 36> block{{
     {70, Float32, 1, "displacement_y", QT_TRANSLATE_NOOP("RegisterMap", "mm"),
      QT_TRANSLATE_NOOP("RegisterMap", "Displacement along Y over the foot of the chain"),
      displacement<&Displacement::y>},
+    {80, Float32, 1, "wind_speed", QT_TRANSLATE_NOOP("RegisterMap", "m/s"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Speed of the wind, mean"), wind<&Wind::speed>},
+    {82, Float32, 1, "wind_direction", "°", QT_TRANSLATE_NOOP("RegisterMap", "Direction of the wind, mean"),
+     wind<&Wind::direction>},
+    {84, Float32, 1, "wind_max", QT_TRANSLATE_NOOP("RegisterMap", "m/s"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Largest speed of the wind in the last turns"), wind<&Wind::maximum>},
+    {86, Float32, 1, "wind_deviation", QT_TRANSLATE_NOOP("RegisterMap", "m/s"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Standard deviation of the speed of the wind"), wind<&Wind::deviation>},
+    {88, Float32, 1, "pressure", QT_TRANSLATE_NOOP("RegisterMap", "mm Hg"),
+     QT_TRANSLATE_NOOP("RegisterMap", "Pressure of the air"), weather<u'P'>},
+    {90, Float32, 1, "humidity", "%", QT_TRANSLATE_NOOP("RegisterMap", "Humidity of the air"), weather<u'H'>},
+    {92, UInt32, 1, "digital", "",
+     QT_TRANSLATE_NOOP("RegisterMap", "Digital inputs of a weather station, bit 0 the first"),
+     [](const SlotState &s) { return Value(hasWeather(s) ? s.reading.weather->digital : 0); }},
 }};
 
 static_assert(areApart(head, directoryStart) && areApart(directory, directoryStride) && areApart(block, blockStride));

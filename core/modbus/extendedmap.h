@@ -17,7 +17,7 @@ namespace gorizont {
 ///
 /// Addresses do not move when the map grows. What is not in the tables is reserved and reads 0; new fields take reserved
 /// registers and leave `version` as it is, which changes only if a field changes its place or meaning. Kept free in a
-/// block: 72…79 displacement, 80…93 wind and weather, 94…99 where to find what has more values than a block holds
+/// block: 72…79 displacement, 94…99 where to find what has more values than a block holds
 /// (the channels of L-VIMS); in the head 40…99.
 ///
 /// A float without a value, or with one that is not valid now, is NaN; an integer is 0 and a flag says so. (Units 3 and 6

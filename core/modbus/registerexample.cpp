@@ -37,6 +37,20 @@ quint16 goodWord(const SensorConfig &sensor, const StatusRules &rules)
     return sensorWord(polled, situation, rules);
 }
 
+Weather exampleWeather()
+{
+    WeatherParameter direction;
+    direction.code = weathercode::windDirection;
+    direction.mean = 187.5;
+    direction.deviation = 12.5;
+    WeatherParameter speed;
+    speed.code = weathercode::windSpeed;
+    speed.mean = 4.75;
+    speed.maxPeriod = 9.0;
+    speed.deviation = 0.75;
+    return {1, {direction, speed}, {}};
+}
+
 Reading exampleReading(const SensorConfig &sensor, const StatusRules &rules)
 {
     Reading reading;
@@ -55,6 +69,9 @@ Reading exampleReading(const SensorConfig &sensor, const StatusRules &rules)
     statistics.rms = 2.19;
     statistics.rmsY = 2.19;
     reading.acceleration = statistics;
+    if (sensor.measuresWeather) {
+        reading.weather = exampleWeather();
+    }
     return reading;
 }
 

@@ -3,6 +3,7 @@
 #include "core/modbus/accelerationmap.h"
 #include "core/modbus/extendedmap.h"
 #include "core/modbus/tiltmap.h"
+#include "core/modbus/windmap.h"
 
 #include <QCoreApplication>
 
@@ -23,9 +24,26 @@ QString UnreachableSensors::sentence() const
         .arg(QString::number(numbers.size()), QString::number(numbers.value(0)), names.join(QStringLiteral(", ")));
 }
 
+namespace {
+
+/// Unit 4 is none of manual 000: it is there where a weather station is.
+bool isServed(const UnitLayout &layout, const QList<LineConfig> &lines)
+{
+    return &layout != &windMap() || std::any_of(lines.begin(), lines.end(), [](const LineConfig &line) {
+        return std::any_of(line.sensors.begin(), line.sensors.end(), [](const SensorConfig &sensor) {
+            return sensor.measuresWeather;
+        });
+    });
+}
+
+} // namespace
+
 UnitImages::UnitImages(const ModbusConfig &config)
 {
-    for (const UnitLayout *layout : {&tiltMap(), &accelerationMap(), &extendedMap()}) {
+    for (const UnitLayout *layout : {&tiltMap(), &windMap(), &accelerationMap(), &extendedMap()}) {
+        if (!isServed(*layout, config.lines)) {
+            continue;
+        }
         const int limit = layout->limit(layout->base(config.base));
         const SensorSlots slotMap(config.lines, config.rules, layout->member, config.packing, limit);
         m_images.emplace_back(*layout, config.base, slotMap);

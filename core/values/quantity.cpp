@@ -1,6 +1,7 @@
 #include "core/values/quantity.h"
 
 #include "core/values/statusword.h"
+#include "core/values/wind.h"
 
 namespace gorizont {
 
@@ -20,6 +21,18 @@ std::optional<double> accelerationOf(const AccelStatistics &acceleration, Quanti
     }
 }
 
+std::optional<double> weatherOf(const Weather &weather, Quantity quantity)
+{
+    switch (quantity) {
+    case Quantity::WindSpeed: return windOf(weather).speed;
+    case Quantity::WindDirection: return windOf(weather).direction;
+    case Quantity::WindMaximum: return windOf(weather).maximum;
+    case Quantity::Pressure: return meanOf(weather, weathercode::pressure);
+    case Quantity::Humidity: return meanOf(weather, weathercode::humidity);
+    default: return {};
+    }
+}
+
 } // namespace
 
 const QList<Quantity> &readingQuantities()
@@ -28,7 +41,8 @@ const QList<Quantity> &readingQuantities()
         Quantity::TiltX,         Quantity::TiltY,         Quantity::Temperature,   Quantity::HeaterPower,
         Quantity::FanFrequency,  Quantity::AccelMaximum,  Quantity::AccelMaximumX, Quantity::AccelMaximumY,
         Quantity::AccelRms,      Quantity::AccelRmsX,     Quantity::AccelRmsY,     Quantity::AccelDirection,
-        Quantity::DisplacementX, Quantity::DisplacementY,
+        Quantity::DisplacementX, Quantity::DisplacementY, Quantity::WindSpeed,     Quantity::WindDirection,
+        Quantity::WindMaximum,   Quantity::Pressure,      Quantity::Humidity,
     };
     return all;
 }
@@ -51,6 +65,11 @@ std::optional<double> valueOf(const Reading &reading, Quantity quantity)
             return {};
         }
         return quantity == Quantity::DisplacementX ? reading.displacement->sum->x : reading.displacement->sum->y;
+    case Quantity::WindSpeed:
+    case Quantity::WindDirection:
+    case Quantity::WindMaximum:
+    case Quantity::Pressure:
+    case Quantity::Humidity: return reading.weather ? weatherOf(*reading.weather, quantity) : std::nullopt;
     default:
         if (!reading.acceleration || !isAccelerationValid(reading.status)) {
             return {};
@@ -78,6 +97,10 @@ QList<Quantity> quantitiesOf(const SensorConfig &sensor)
     }
     if (sensor.isInChain) {
         quantities << Quantity::DisplacementX << Quantity::DisplacementY;
+    }
+    if (sensor.measuresWeather) {
+        quantities << Quantity::WindSpeed << Quantity::WindDirection << Quantity::WindMaximum << Quantity::Pressure
+                   << Quantity::Humidity;
     }
     return quantities;
 }

@@ -25,6 +25,13 @@ enum class Quantity : quint8 {
     SampleY = 14, ///< mm/s²
     DisplacementX = 15, ///< mm, over the foot of the chain
     DisplacementY = 16, ///< mm
+    WindSpeed = 17, ///< m/s, mean of the station
+    /// Degrees, 0 ≤ direction < 360, mean of the station. Buckets take it as any number: where the wind turns through the north their
+    /// mean says nothing, minimum and maximum are near 0 and 360; single readings are always right.
+    WindDirection = 18,
+    WindMaximum = 19, ///< m/s, of the last turns
+    Pressure = 20, ///< mm Hg
+    Humidity = 21, ///< %
 };
 
 /// Every quantity a reading can carry, in the order of the numbers; samples are not among them.

@@ -28,6 +28,7 @@ struct SensorConfig
     bool measuresTilt = false;
     bool measuresTemperature = false;
     bool measuresAcceleration = false;
+    bool measuresWeather = false; ///< wind and what else a weather station has
     bool hasThermostat = false; ///< fan and heater count in the status word
     bool isInChain = false; ///< a [Chain{k}] makes displacements of its tilt
 

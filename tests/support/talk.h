@@ -22,6 +22,11 @@ namespace gorizont::test {
 ///     = tiltX, tiltY, temperature, heaterPower, fanFrequency NUMBER   equal to the last digit written; `none`: absent
 ///     = rawStatus, rawMode NUMBER                                     decimal, or hexadecimal with 0x
 ///     = conditions NAME…                                              all that are set; `none`
+///     = parameters N                                                  of a weather station; `none`: no weather at all
+///     = T1.mean NUMBER                                                of its parameter T1: mean, instant, min, max,
+///                                                                     voltage, voltageInstant, maxPeriod, deviation
+///     = digital 0xN                                                   its digital inputs
+///     = events N…                                                     seconds, < 0 an end, newest first; `none`
 ///     = fault NAME                                                    Timeout, Checksum, …; Closed: the line vanishes
 ///     = blocks N                                                      the blocks of one fetch; in a group with other
 ///                                                                     expectations after the poll, alone instead of it

@@ -1,6 +1,7 @@
 #include "tests/support/talk.h"
 
 #include "core/devices/drivercatalog.h"
+#include "tests/support/talkweather.h"
 
 #include <algorithm>
 #include <array>
@@ -57,17 +58,6 @@ QString spelled(Conditions conditions)
     return names.isEmpty() ? QStringLiteral("none") : names.join(u' ');
 }
 
-/// With as many decimals as \a expected is written with, so that the two can be compared as text.
-QString spelled(const std::optional<double> &value, const QString &expected)
-{
-    if (!value) {
-        return QStringLiteral("none");
-    }
-    const qsizetype point = expected.indexOf(u'.');
-    const int decimals = point < 0 ? 0 : static_cast<int>(expected.size() - point - 1);
-    return QString::number(*value, 'f', decimals);
-}
-
 QString spelled(const std::optional<quint16> &word, const QString &expected)
 {
     if (!word) {
@@ -82,19 +72,19 @@ QString actual(const Measurement &measurement, const QString &key, const QString
 {
     const auto tilt = measurement.tilt;
     if (key == QLatin1String("tiltX")) {
-        return spelled(tilt ? std::optional(tilt->x) : std::nullopt, expected);
+        return spelledNumber(tilt ? std::optional(tilt->x) : std::nullopt, expected);
     }
     if (key == QLatin1String("tiltY")) {
-        return spelled(tilt ? std::optional(tilt->y) : std::nullopt, expected);
+        return spelledNumber(tilt ? std::optional(tilt->y) : std::nullopt, expected);
     }
     if (key == QLatin1String("temperature")) {
-        return spelled(measurement.temperature, expected);
+        return spelledNumber(measurement.temperature, expected);
     }
     if (key == QLatin1String("heaterPower")) {
-        return spelled(measurement.heaterPower, expected);
+        return spelledNumber(measurement.heaterPower, expected);
     }
     if (key == QLatin1String("fanFrequency")) {
-        return spelled(measurement.fanFrequency, expected);
+        return spelledNumber(measurement.fanFrequency, expected);
     }
     if (key == QLatin1String("rawStatus")) {
         return spelled(measurement.rawStatus, expected);
@@ -104,6 +94,11 @@ QString actual(const Measurement &measurement, const QString &key, const QString
     }
     if (key == QLatin1String("conditions")) {
         return spelled(measurement.conditions);
+    }
+    static const QStringList ofWeather{
+        QStringLiteral("parameters"), QStringLiteral("digital"), QStringLiteral("events")};
+    if (ofWeather.contains(key) || key.contains(u'.')) {
+        return spelledWeather(measurement.weather, key, expected);
     }
     return QStringLiteral("?");
 }

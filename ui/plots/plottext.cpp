@@ -23,7 +23,10 @@ int decimals(ValueAxis axis, TiltUnit unit)
     case ValueAxis::Tilt: return unit == TiltUnit::Degrees ? 4 : 1;
     case ValueAxis::Temperature:
     case ValueAxis::Displacement:
+    case ValueAxis::Wind:
     case ValueAxis::Acceleration: return 2;
+    case ValueAxis::Pressure:
+    case ValueAxis::Humidity:
     case ValueAxis::Power:
     case ValueAxis::Frequency:
     case ValueAxis::Direction: break;
@@ -41,6 +44,9 @@ QString axisName(ValueAxis axis)
     case ValueAxis::Acceleration: return PlotText::tr("Acceleration");
     case ValueAxis::Direction: return PlotText::tr("Direction");
     case ValueAxis::Displacement: return PlotText::tr("Displacement");
+    case ValueAxis::Wind: return PlotText::tr("Wind");
+    case ValueAxis::Pressure: return PlotText::tr("Pressure");
+    case ValueAxis::Humidity: return PlotText::tr("Humidity");
     }
     return {};
 }
@@ -55,7 +61,12 @@ ValueAxis axisOf(Quantity quantity)
     case Quantity::Temperature: return ValueAxis::Temperature;
     case Quantity::HeaterPower: return ValueAxis::Power;
     case Quantity::FanFrequency: return ValueAxis::Frequency;
-    case Quantity::AccelDirection: return ValueAxis::Direction;
+    case Quantity::AccelDirection:
+    case Quantity::WindDirection: return ValueAxis::Direction;
+    case Quantity::WindSpeed:
+    case Quantity::WindMaximum: return ValueAxis::Wind;
+    case Quantity::Pressure: return ValueAxis::Pressure;
+    case Quantity::Humidity: return ValueAxis::Humidity;
     case Quantity::DisplacementX:
     case Quantity::DisplacementY: return ValueAxis::Displacement;
     default: return ValueAxis::Acceleration;
@@ -78,6 +89,9 @@ QString unitOf(ValueAxis axis, TiltUnit unit)
     case ValueAxis::Acceleration: return PlotText::tr("mm/s²");
     case ValueAxis::Direction: return QStringLiteral("°");
     case ValueAxis::Displacement: return PlotText::tr("mm");
+    case ValueAxis::Wind: return PlotText::tr("m/s");
+    case ValueAxis::Pressure: return PlotText::tr("mm Hg");
+    case ValueAxis::Humidity: return QStringLiteral("%");
     }
     return {};
 }
@@ -106,6 +120,11 @@ QString quantity(Quantity quantity)
     case Quantity::SampleY: return QStringLiteral("Ay");
     case Quantity::DisplacementX: return PlotText::tr("Displacement X");
     case Quantity::DisplacementY: return PlotText::tr("Displacement Y");
+    case Quantity::WindSpeed: return PlotText::tr("Wind speed");
+    case Quantity::WindDirection: return PlotText::tr("Wind direction");
+    case Quantity::WindMaximum: return PlotText::tr("Maximum wind speed");
+    case Quantity::Pressure: return PlotText::tr("Pressure");
+    case Quantity::Humidity: return PlotText::tr("Humidity");
     }
     return {};
 }

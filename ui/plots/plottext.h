@@ -11,7 +11,7 @@ namespace gorizont {
 enum class TiltUnit : quint8 { Degrees, ArcSeconds };
 
 /// Quantities of one unit share an axis.
-enum class ValueAxis : quint8 { Tilt, Temperature, Power, Frequency, Acceleration, Direction, Displacement };
+enum class ValueAxis : quint8 { Tilt, Temperature, Power, Frequency, Acceleration, Direction, Displacement, Wind, Pressure, Humidity };
 
 /// How quantities are named, counted and written in plots. Pure.
 namespace plottext {

@@ -27,7 +27,7 @@ QList<SeriesKey> curvesOf(const QString &text)
         bool hasQuantity = false;
         const int number = part.section(u':', 0, 0).toInt(&hasNumber);
         const int quantity = part.section(u':', 1).toInt(&hasQuantity);
-        const bool isKnown = quantity >= int(Quantity::TiltX) && quantity <= int(Quantity::DisplacementY);
+        const bool isKnown = quantity >= int(Quantity::TiltX) && quantity <= int(Quantity::Humidity);
         if (hasNumber && hasQuantity && isKnown) {
             keys.append({number, static_cast<Quantity>(quantity)});
         }

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void takesTheIndexOffAKey_data();
     void takesTheIndexOffAKey();
     void setsCapabilitiesByType();
+    void clockOfAStationIsThatOfSensorPortOrSite();
     void aSensorDecidesBeforeTheSite();
 };
 
@@ -306,7 +307,7 @@ void TestServerConfig::setsCapabilitiesByType()
         (QStringList{
             u"IN-D3, SND3 , tilt"_s, u"AN-D3, SND3 , tilt temperature acceleration"_s,
             u"AN-D3, SND3 , tilt temperature heating"_s, u"USM-ISN, SND3 , tilt temperature"_s, u"L-VIMS, SND3 , "_s,
-            u"MK-14, SND3 , "_s, u", SND3 , "_s}));
+            u"MK-14, SND3 , temperature"_s, u", SND3 , "_s}));
     QCOMPARE(complaintTexts(reading), QStringList());
 }
 
@@ -328,6 +329,20 @@ void TestServerConfig::aSensorDecidesBeforeTheSite()
     QCOMPARE(options(off), u"0 1 -"_s);
     QCOMPARE(complaintTexts(off), QStringList());
     QCOMPARE(complaintTexts(read("[Common]\nUsmRevive=x\n" + port)).size(), 1);
+}
+
+void TestServerConfig::clockOfAStationIsThatOfSensorPortOrSite()
+{
+    const QByteArray site = "[Common]\nNumOfPorts=2\nStationClock=UTC\n[Port1]\nNumOfSensors=2\nName1=МК-14\n"
+                            "StationClock1=local\nName2=МК-14\n[Port2]\nStationClock=local\nNumOfSensors=2\n"
+                            "Name1=МК-14\nName2=ИН-Д3\n";
+    QStringList clocks;
+    for (const LineConfig &line : read(site).config.lines) {
+        for (const SensorConfig &sensor : line.sensors) {
+            clocks.append(sensor.options.value(u"stationclock"_s, u"none"_s));
+        }
+    }
+    QCOMPARE(clocks, QStringList({u"local"_s, u"UTC"_s, u"local"_s, u"none"_s}));
 }
 
 QTEST_GUILESS_MAIN(TestServerConfig)

@@ -55,9 +55,33 @@ double set(int number, const QString &quantity)
         {QStringLiteral("link_y"), -0.25},
         {QStringLiteral("displacement_x"), 640},
         {QStringLiteral("displacement_y"), -32},
+        {QStringLiteral("wind_speed"), 4.75},
+        {QStringLiteral("wind_direction"), 187.5},
+        {QStringLiteral("wind_max"), 9.25},
+        {QStringLiteral("wind_deviation"), 0.75},
+        {QStringLiteral("pressure"), 745.25},
+        {QStringLiteral("humidity"), 68},
+        {QStringLiteral("digital"), 2147483648},
         {QStringLiteral("time"), 1517999583456},
     };
     return values.value(quantity) + number;
+}
+
+Weather weatherOf(int number)
+{
+    const auto parameter = [number](QChar code, const char *quantity) {
+        WeatherParameter made;
+        made.code = code;
+        made.mean = set(number, QString::fromLatin1(quantity));
+        return made;
+    };
+    WeatherParameter speed = parameter(u'M', "wind_speed");
+    speed.maximum = set(number, QStringLiteral("wind_max"));
+    speed.deviation = set(number, QStringLiteral("wind_deviation"));
+    return {
+        static_cast<quint32>(set(number, QStringLiteral("digital"))),
+        {parameter(u'A', "wind_direction"), speed, parameter(u'P', "pressure"), parameter(u'H', "humidity")},
+        {}};
 }
 
 Reading readingOf(int number)
@@ -84,6 +108,7 @@ Reading readingOf(int number)
     reading.acceleration = accelerations;
     reading.displacement = LinkDisplacement{
         {value("link_x"), value("link_y")}, Displacement{value("displacement_x"), value("displacement_y")}};
+    reading.weather = weatherOf(number);
     reading.rawStatus = static_cast<quint16>(value("raw_status"));
     reading.rawMode = static_cast<quint16>(value("raw_mode"));
     reading.ring =
@@ -108,7 +133,7 @@ std::optional<double> known(int number, const QString &field)
         return field.startsWith(u"code_") ? head.value(field, 0) : head.value(field, -1);
     }
     const bool hasAcceleration = number == 2 || number == 6;
-    static const QHash<int, double> flags{{1, 0x3FF}, {2, 0x3FF}, {4, 0x3FD}, {6, 0x3FB}};
+    static const QHash<int, double> flags{{1, 0x7FF}, {2, 0x7FF}, {4, 0x7FD}, {6, 0x7FB}};
     const QHash<QString, double> own{
         {QStringLiteral("number"), number},
         {QStringLiteral("port"), number == 6 ? 2 : 1},
@@ -233,8 +258,8 @@ private Q_SLOTS:
             images.update(readingOf(number));
         }
         const QList<Row> rows = rowsOf(registerDocument(server));
-        // Units 3 and 6: the channel word, 4 sensors × 4, 2 sensors × 5. Unit 1: head 25, 4 × (3 + 36).
-        QCOMPARE(rows.size(), 1 + 16 + 1 + 10 + 25 + 156);
+        // Units 3 and 6: the channel word, 4 sensors × 4, 2 sensors × 5. Unit 1: head 25, 4 × (3 + 43).
+        QCOMPARE(rows.size(), 1 + 16 + 1 + 10 + 25 + 184);
         QSet<std::pair<int, int>> seen;
         for (const Row &row : rows) {
             const int address = row.cells.at(0).toInt();

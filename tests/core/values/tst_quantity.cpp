@@ -30,13 +30,28 @@ Reading TestQuantity::goodReading()
     reading.fanFrequency = 33.0;
     reading.acceleration = AccelStatistics{7.67, -0.4, -7.66, 270.0, 2.19, 0.01, 2.18};
     reading.displacement = LinkDisplacement{{17.4, -0.1}, Displacement{50.0, -0.25}};
+    WeatherParameter direction;
+    direction.code = u'A';
+    direction.mean = 187.5;
+    WeatherParameter speed;
+    speed.code = u'M';
+    speed.mean = 4.75;
+    speed.maximum = 9.25;
+    speed.maxPeriod = 9.0;
+    WeatherParameter pressure;
+    pressure.code = u'P';
+    pressure.mean = 745.25;
+    WeatherParameter humidity;
+    humidity.code = u'H';
+    humidity.mean = 68.0;
+    reading.weather = Weather{0, {pressure, humidity, direction, speed}, {}};
     return reading;
 }
 
 void TestQuantity::allOfAGoodAnswer()
 {
-    const QList<double> expected{-3599.5, 2720.5, 21.38, 12.5, 33.0,  7.67, -0.4,
-                                 -7.66,   2.19,   0.01,  2.18, 270.0, 50.0, -0.25};
+    const QList<double> expected{-3599.5, 2720.5, 21.38, 12.5,  33.0, 7.67,  -0.4, -7.66,  2.19, 0.01,
+                                 2.18,    270.0,  50.0,  -0.25, 4.75, 187.5, 9.25, 745.25, 68.0};
     QList<double> found;
     for (const Quantity quantity : readingQuantities()) {
         found << valueOf(goodReading(), quantity).value();
@@ -79,6 +94,8 @@ void TestQuantity::numbersAreFixed()
     QCOMPARE(int(Quantity::TiltX), 1);
     QCOMPARE(int(Quantity::AccelMaximum), 6);
     QCOMPARE(int(Quantity::SampleY), 14);
+    QCOMPARE(int(Quantity::WindSpeed), 17);
+    QCOMPARE(int(Quantity::Humidity), 21);
 }
 
 void TestQuantity::ofAConfiguration()
@@ -93,6 +110,13 @@ void TestQuantity::ofAConfiguration()
     sensor.measuresAcceleration = true;
     QVERIFY(quantitiesOf(sensor).contains(Quantity::SampleY));
     QVERIFY(!quantitiesOf(sensor).contains(Quantity::DisplacementX));
+    SensorConfig station;
+    station.measuresWeather = true;
+    QCOMPARE(
+        quantitiesOf(station),
+        (QList{
+            Quantity::WindSpeed, Quantity::WindDirection, Quantity::WindMaximum, Quantity::Pressure,
+            Quantity::Humidity}));
     sensor.isInChain = true;
     QVERIFY(
         quantitiesOf(sensor).contains(Quantity::DisplacementX)

@@ -62,6 +62,11 @@ public:
 
     /// A second passes.
     RawSample step(std::chrono::milliseconds passed = 1s) { return m_watch.take(m_now += passed); }
+    /// Whether a value comes within a few seconds, while the clock of the station stands.
+    bool hasValue()
+    {
+        return QTest::qWaitFor([this] { return step(0ms).analogue[0] == std::optional(1.5); }, 5000);
+    }
     void setOutputs(quint32 word) { m_watch.setOutputs(word); }
 
     std::shared_ptr<Fate> fate = std::make_shared<Fate>();
@@ -100,7 +105,7 @@ void TestSourceWatch::measuresAtItsRate()
 void TestSourceWatch::restartsWhatDies()
 {
     Watching watching(30s);
-    QTRY_COMPARE(watching.step(0ms).analogue[0], std::optional(1.5));
+    QVERIFY(watching.hasValue());
     {
         const std::lock_guard lock(watching.fate->mutex);
         watching.fate->death = QStringLiteral("the cable is cut");
@@ -122,7 +127,7 @@ void TestSourceWatch::restartsWhatDies()
     }
     watching.step(10s);
     QCOMPARE(watching.fate->made.load(), 3);
-    QTRY_COMPARE(watching.step(0ms).analogue[0], std::optional(1.5));
+    QVERIFY(watching.hasValue());
     QCOMPARE(watching.told.size(), 2);
     QVERIFY(watching.told.constLast().startsWith(u'+'));
 }
@@ -131,7 +136,7 @@ void TestSourceWatch::restartsWhatDies()
 void TestSourceWatch::restartsWhatHangs()
 {
     Watching watching(5s);
-    QTRY_COMPARE(watching.step(0ms).analogue[0], std::optional(1.5));
+    QVERIFY(watching.hasValue());
     {
         const std::lock_guard lock(watching.fate->mutex);
         watching.fate->isHanging = true;
@@ -153,7 +158,7 @@ void TestSourceWatch::restartsWhatHangs()
     }
     watching.step(10s);
     QCOMPARE(watching.fate->made.load(), 2);
-    QTRY_COMPARE(watching.step(0ms).analogue[0], std::optional(1.5));
+    QVERIFY(watching.hasValue());
     QCOMPARE(watching.told.size(), 2);
 }
 
