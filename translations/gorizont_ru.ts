@@ -1888,6 +1888,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>It is ignored. KeepRaw and KeepSamples bound the archive.</source>
         <translation>Он не учитывается. Архив ограничивают KeepRaw и KeepSamples.</translation>
     </message>
+    <message>
+        <source>The folder of the station is missing behind %1.</source>
+        <translation>За %1 не указана папка станции.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -3529,6 +3533,17 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Oscillations</source>
         <translation>Колебания</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Acquisition</name>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>нет папки %1</translation>
+    </message>
+    <message>
+        <source>another program runs the station in %1</source>
+        <translation>станция из папки %1 уже работает в другой программе</translation>
     </message>
 </context>
 <context>
@@ -5174,6 +5189,25 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::Measuring</name>
+    <message>
+        <source>Self-check of the gamma sensor: good (%1 pulses, %2 with the blinker).</source>
+        <translation>Самопроверка гамма-датчика: исправен (импульсов: %1, с бленкером: %2).</translation>
+    </message>
+    <message>
+        <source>Self-check of the gamma sensor: it does not react to the blinker (%1 pulses, %2 with the blinker).</source>
+        <translation>Самопроверка гамма-датчика: он не реагирует на бленкер (импульсов: %1, с бленкером: %2).</translation>
+    </message>
+    <message>
+        <source>The outputs are set again.</source>
+        <translation>Выходы снова устанавливаются.</translation>
+    </message>
+    <message>
+        <source>An output cannot be set (%1); it is tried again and again.</source>
+        <translation>Не удаётся установить выход (%1); попытки повторяются.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::MessageQueue</name>
     <message>
         <source>MQTT: the queue did not end with a whole reading; what was unfinished has been removed.</source>
@@ -5198,6 +5232,13 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>MQTT: lost because the queue was full, readings: %1.</source>
         <translation>MQTT: из-за переполнения очереди потеряно измерений: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ModemPort</name>
+    <message>
+        <source>pulses of the wind can be counted on Linux only</source>
+        <translation>импульсы ветра можно считать только в Linux</translation>
     </message>
 </context>
 <context>
@@ -5513,6 +5554,13 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::PulseSource</name>
+    <message>
+        <source>the port gives no signals any more</source>
+        <translation>порт больше не даёт сигналов</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::RangeActions</name>
     <message>
         <source>10 min</source>
@@ -5537,6 +5585,52 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>1 year</source>
         <translation>1 год</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ReceivedFile</name>
+    <message>
+        <source>A station takes no file of this name from a line.</source>
+        <translation>Файл с таким именем станция с линии не принимает.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::RecordedSource</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>строка %1: %2</translation>
+    </message>
+    <message>
+        <source>the first column must be called time</source>
+        <translation>первый столбец должен называться time</translation>
+    </message>
+    <message>
+        <source>%1 is no channel</source>
+        <translation>%1 — не канал</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are expected</source>
+        <translation>
+            <numerusform>ожидается %n значение</numerusform>
+            <numerusform>ожидаются %n значения</numerusform>
+            <numerusform>ожидается %n значений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 — не число</translation>
+    </message>
+    <message>
+        <source>it holds no values</source>
+        <translation>в нём нет значений</translation>
+    </message>
+    <message>
+        <source>the time does not go on</source>
+        <translation>время не возрастает</translation>
+    </message>
+    <message>
+        <source>it is longer than 64 MB</source>
+        <translation>он больше 64 МБ</translation>
     </message>
 </context>
 <context>
@@ -5920,6 +6014,99 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::SourceFile</name>
+    <message>
+        <source>The line is left out.</source>
+        <translation>Строка пропущена.</translation>
+    </message>
+    <message>
+        <source>%1 is no channel: a1…a64, f1, d1…d32, p1…p32, v1…v4, o1…o32, rate or record are expected.</source>
+        <translation>%1 — не канал: ожидается a1…a64, f1, d1…d32, p1…p32, v1…v4, o1…o32, rate или record.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) are expected here.</source>
+        <translation>
+            <numerusform>Здесь ожидается %n число.</numerusform>
+            <numerusform>Здесь ожидаются %n числа.</numerusform>
+            <numerusform>Здесь ожидается %n чисел.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 — не число.</translation>
+    </message>
+    <message>
+        <source>%1 is not greater than 0.</source>
+        <translation>%1 не больше 0.</translation>
+    </message>
+    <message>
+        <source>At most %1 Hz are possible.</source>
+        <translation>Возможно не больше %1 Гц.</translation>
+    </message>
+    <message>
+        <source>The name of the recorded file is missing.</source>
+        <translation>Нет имени записанного файла.</translation>
+    </message>
+    <message>
+        <source>Only `once` may follow the name of the file.</source>
+        <translation>После имени файла может стоять только `once`.</translation>
+    </message>
+    <message>
+        <source>An output goes to a file: `file PATH` is expected.</source>
+        <translation>Выход связывается с файлом: ожидается `file ПУТЬ`.</translation>
+    </message>
+    <message>
+        <source>%1 is no signal: constant, sine, noise, drop, square, output, vane, iio or file are expected.</source>
+        <translation>%1 — не сигнал: ожидается constant, sine, noise, drop, square, output, vane, iio или file.</translation>
+    </message>
+    <message>
+        <source>`vane` and the channels v1…v4 go together.</source>
+        <translation>`vane` бывает только у каналов v1…v4, а у них — только он.</translation>
+    </message>
+    <message>
+        <source>An output has a bit from 0 to 31.</source>
+        <translation>Бит выхода — от 0 до 31.</translation>
+    </message>
+    <message>
+        <source>Such a channel cannot come from there.</source>
+        <translation>Такой канал оттуда взять нельзя.</translation>
+    </message>
+    <message>
+        <source>`iio FOLDER INPUT` is expected.</source>
+        <translation>Ожидается `iio ПАПКА ВХОД`.</translation>
+    </message>
+    <message>
+        <source>`file PATH` is expected.</source>
+        <translation>Ожидается `file ПУТЬ`.</translation>
+    </message>
+    <message>
+        <source>%1 is no input of a device.</source>
+        <translation>%1 — не номер входа устройства.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SourceWatch</name>
+    <message>
+        <source>Source %1 works again.</source>
+        <translation>Источник «%1» снова работает.</translation>
+    </message>
+    <message>
+        <source>it has said nothing for %1 s</source>
+        <translation>он молчит дольше %1 с</translation>
+    </message>
+    <message>
+        <source>Source %1 has failed: %2. Its parameters have no value; it is started again every %3 s.</source>
+        <translation>Источник «%1» отказал: %2. У его параметров нет значения; каждые %3 с он запускается снова.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Sources</name>
+    <message>
+        <source>simulated signals</source>
+        <translation>имитируемые сигналы</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::SpanPage</name>
     <message>
         <source>Sensor</source>
@@ -5988,6 +6175,130 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::StationApplication</name>
+    <message>
+        <source>The log is written again.</source>
+        <translation>Журнал снова пишется.</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1</source>
+        <translation>Журнал не удаётся записать: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StationMain</name>
+    <message>
+        <source>There is no folder %1. Name the one with ACK.INI with --config.</source>
+        <translation>Нет папки %1. Укажите папку с ACK.INI: --config.</translation>
+    </message>
+    <message>
+        <source>The folder %1 for the data cannot be made. Choose another one with --data.</source>
+        <translation>Папку %1 для данных не удаётся создать. Укажите другую: --data.</translation>
+    </message>
+    <message>
+        <source>A station already works with the folder %1. End that program, or give this one a folder of its own with --data.</source>
+        <translation>С папкой %1 уже работает станция. Завершите ту программу или дайте этой собственную папку: --data.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StationOptions</name>
+    <message>
+        <source>A weather station: measures, corrects, averages, keeps records and answers dispatchers.
+
+SIGHUP reads the files of the station again, SIGINT and SIGTERM end the program.</source>
+        <translation>Метеостанция: измеряет, вносит поправки, осредняет, ведёт записи и отвечает диспетчерам.
+
+SIGHUP — перечитать файлы станции, SIGINT и SIGTERM — завершить программу.</translation>
+    </message>
+    <message>
+        <source>The folder with ACK.INI and the other files of the station.</source>
+        <translation>Папка с ACK.INI и остальными файлами станции.</translation>
+    </message>
+    <message>
+        <source>Where records and the log go; default: the folder of the configuration.</source>
+        <translation>Куда идут записи и журнал; по умолчанию в папку файлов станции.</translation>
+    </message>
+    <message>
+        <source>Port number n is opened as DIR/COMn.</source>
+        <translation>Порт с номером n открывается как DIR/COMn.</translation>
+    </message>
+    <message>
+        <source>Waits for dispatchers over TCP too: PORT for this computer only, ADDRESS:PORT for others. May be given several times.</source>
+        <translation>Ждать диспетчеров и по TCP: PORT — только с этого компьютера, ADDRESS:PORT — с других. Можно указать несколько раз.</translation>
+    </message>
+    <message>
+        <source>Without effect: the station never has a window.</source>
+        <translation>Ничего не меняет: окна у станции нет.</translation>
+    </message>
+    <message>
+        <source>Prints every second as one line of JSON.</source>
+        <translation>Печатать каждую секунду одной строкой JSON.</translation>
+    </message>
+    <message>
+        <source>A dispatcher may set the clock of this computer; else the station keeps a clock of its own.</source>
+        <translation>Диспетчер может ставить часы этого компьютера; иначе станция ведёт собственные.</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Язык программы.</translation>
+    </message>
+    <message>
+        <source>Prints this.</source>
+        <translation>Напечатать эту справку.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Напечатать версию.</translation>
+    </message>
+    <message>
+        <source>Unexpected argument: %1</source>
+        <translation>Лишний аргумент: %1</translation>
+    </message>
+    <message>
+        <source>--config DIR is needed, the folder with ACK.INI and the other files of the station</source>
+        <translation>нужен --config DIR, папка с ACK.INI и остальными файлами станции</translation>
+    </message>
+    <message>
+        <source>--lang takes ru or en, not %1</source>
+        <translation>--lang принимает ru или en, а не %1</translation>
+    </message>
+    <message>
+        <source>--listen takes PORT or ADDRESS:PORT, with an address in digits, not %1</source>
+        <translation>--listen принимает PORT или ADDRESS:PORT с адресом из цифр, а не %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StationPlan</name>
+    <message>
+        <source>extra</source>
+        <translation>дополнение</translation>
+    </message>
+    <message>
+        <source>ACK.PAR has no parameter %1.</source>
+        <translation>В ACK.PAR нет параметра %1.</translation>
+    </message>
+    <message>
+        <source>This value of object %1 is not taken over.</source>
+        <translation>Это значение объекта %1 не берётся.</translation>
+    </message>
+    <message>
+        <source>%1 is no data command, 1 to 8.</source>
+        <translation>%1 — не команда данных, 1…8.</translation>
+    </message>
+    <message>
+        <source>Object %1 is asked with command %2.</source>
+        <translation>Объект %1 опрашивается командой %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no source: file:NAME or iio:FOLDER are.</source>
+        <translation>%1 — не источник: ожидается file:ИМЯ или iio:ПАПКА.</translation>
+    </message>
+    <message>
+        <source>Only ACK.SRC gives values to this board.</source>
+        <translation>Значения этой плате даёт только ACK.SRC.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::StatusText</name>
     <message>
         <source>%1 No. %2 (%3, address %4)</source>
@@ -6044,6 +6355,21 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Unknown error</source>
         <translation>Неизвестная ошибка</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SysfsSource</name>
+    <message>
+        <source>%1 holds no number</source>
+        <translation>в %1 нет числа</translation>
+    </message>
+    <message>
+        <source>inputs of the system</source>
+        <translation>входы системы</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>нет папки %1</translation>
     </message>
 </context>
 <context>
@@ -6868,6 +7194,107 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Way of the axis</source>
         <translation>Путь оси</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Doors</name>
+    <message>
+        <source>%1 is no place to listen: tcp://ADDRESS:PORT with an address in digits is.</source>
+        <translation>%1 — не место, где можно ждать: нужно tcp://АДРЕС:ПОРТ с адресом из цифр.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Gatherer</name>
+    <message>
+        <source>no line leads there</source>
+        <translation>туда не ведёт ни одна линия</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Gathering</name>
+    <message>
+        <source>Station %1 answers.</source>
+        <translation>Станция %1 отвечает.</translation>
+    </message>
+    <message>
+        <source>Station %1 does not answer (%2); its parameters have no value.</source>
+        <translation>Станция %1 не отвечает (%2); у её параметров нет значения.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::SerialDoor</name>
+    <message>
+        <source>%1: open for dispatchers</source>
+        <translation>%1: открыт для диспетчеров</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>такого устройства нет</translation>
+    </message>
+    <message>
+        <source>%1 is closed for dispatchers (%2) and is tried again and again</source>
+        <translation>%1: закрыт для диспетчеров (%2), попытки повторяются</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Station</name>
+    <message>
+        <source>Station %1 started</source>
+        <translation>Станция %1 запущена</translation>
+    </message>
+    <message>
+        <source>Station %1 ended</source>
+        <translation>Станция %1 остановлена</translation>
+    </message>
+    <message>
+        <source>The files of the station are read again.</source>
+        <translation>Файлы станции читаются снова.</translation>
+    </message>
+    <message>
+        <source>The clock of the computer was set by %1 s.</source>
+        <translation>Часы компьютера переставлены на %1 с.</translation>
+    </message>
+    <message>
+        <source>A dispatcher has set the clock to %1, by %2 s.</source>
+        <translation>Диспетчер поставил часы на %1, на %2 с.</translation>
+    </message>
+    <message>
+        <source>The file %1 of a dispatcher was refused: %2</source>
+        <translation>Файл %1 от диспетчера отклонён: %2</translation>
+    </message>
+    <message>
+        <source>A dispatcher has sent the file %1; the one before is kept as .bak.</source>
+        <translation>Диспетчер прислал файл %1; прежний оставлен с окончанием .bak.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::StationStorage</name>
+    <message>
+        <source>The clock that was set is lost at the next start: %1</source>
+        <translation>При следующем запуске часы не сохранятся: %1</translation>
+    </message>
+    <message>
+        <source>Records are saved again.</source>
+        <translation>Записи снова сохраняются.</translation>
+    </message>
+    <message>
+        <source>The unfinished last record of %1 was removed.</source>
+        <translation>Незаконченная последняя запись в %1 удалена.</translation>
+    </message>
+    <message>
+        <source>Records cannot be saved (%1). The newest %2 wait.</source>
+        <translation>Записи не сохраняются (%1). Последние %2 ждут.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::TcpDoor</name>
+    <message>
+        <source>TCP %1:%2: open for dispatchers</source>
+        <translation>TCP %1:%2: открыт для диспетчеров</translation>
+    </message>
+    <message>
+        <source>TCP %1 is closed for dispatchers (%2) and is tried again and again</source>
+        <translation>TCP %1: закрыт для диспетчеров (%2), попытки повторяются</translation>
     </message>
 </context>
 <context>

@@ -308,7 +308,7 @@ void TestStationSources::putsChannelsToParameters()
                                        "s V s A 1 A 0 %4.1f 0 9 - 0 1\n"
                                        "s V s M 2 A 0 %4.1f 0 9 - 0 1\n";
     files[QStringLiteral("ACK.LCD")] = "300\n5\n0\n0\n1\n1000\n1\n1\n0\n0\nG\n-TP\n-O\nTP\n";
-    files[QStringLiteral("ACK.FWL")] = "300\n5\n0\n0\n1000\n0\n1\n0\n0\nTT\n-\nT\n";
+    files[QStringLiteral("ACK.FWL")] = "300\n5\n0\n0\n1000\n0\n1\n0\n0\n-T\n-\nT\n";
     const StationConfig config = readStation(files).config;
     QCOMPARE(config.parameters.size(), 6);
     QCOMPARE(config.boards.size(), 2);
