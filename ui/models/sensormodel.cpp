@@ -5,6 +5,7 @@
 #include "ui/models/statetext.h"
 #include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
+#include "ui/models/vibrationproperties.h"
 
 #include <QFontDatabase>
 
@@ -123,14 +124,16 @@ QString SensorModel::toolTip(const SensorRegistry::Sensor &sensor, int column) c
                     valuetext::signedFixed(isMaximum ? accel->maximumY : accel->rmsY, 2));
         }
         break;
-    case Status: return statusmeaning::word(reading.status);
+    case Status: return statusmeaning::word(reading);
     default: break;
     }
     const SensorRegistry::Line &line = m_registry.lines()[static_cast<std::size_t>(sensor.line)];
-    return QStringLiteral("%1\n%2\n%3: %4")
-        .arg(
-            statetext::sensorTitle(sensor.config), sensor.config.name, line.config.title(),
-            statetext::sensor(sensor, line.status.state));
+    const QString text = QStringLiteral("%1\n%2\n%3: %4")
+                             .arg(
+                                 statetext::sensorTitle(sensor.config), sensor.config.name, line.config.title(),
+                                 statetext::sensor(sensor, line.status.state));
+    const QString channels = vibrationSummary(reading);
+    return channels.isEmpty() ? text : text + u'\n' + channels;
 }
 
 QVariant SensorModel::data(const QModelIndex &index, int role) const
