@@ -102,6 +102,10 @@
         <source>and more: %1</source>
         <translation>и ещё: %1</translation>
     </message>
+    <message>
+        <source>Check the cable and the connectors from the module to the sensors of these channels. A channel without a sensor can be switched off in the settings of the module.</source>
+        <translation>Проверьте кабель и разъёмы от модуля до датчиков этих каналов. Канал без датчика можно отключить в настройках модуля.</translation>
+    </message>
 </context>
 <context>
     <name>And3Driver</name>
@@ -135,6 +139,13 @@
     <message>
         <source>the folder %1 cannot be created</source>
         <translation>не удаётся создать папку %1</translation>
+    </message>
+</context>
+<context>
+    <name>CapturePlan</name>
+    <message>
+        <source>%1%2: &quot;%3&quot; is not understood; it takes %4. Its usual value is used.</source>
+        <translation>%1%2: непонятно «%3»; допустимо %4. Используется обычное значение.</translation>
     </message>
 </context>
 <context>
@@ -415,6 +426,78 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>largest deviation of the shaft from its mean</source>
         <translation>наибольшее отклонение вала от среднего положения</translation>
     </message>
+    <message>
+        <source>mm/s²</source>
+        <translation>мм/с²</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>мм/с</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>об/мин</translation>
+    </message>
+    <message>
+        <source>MeasUnit%1: &quot;%2&quot; is not understood. It takes a unit for the accelerations, or TYPE:UNIT with a type 1…16; the usual unit stays.</source>
+        <translation>MeasUnit%1: непонятно «%2». Допустима единица для всех виброускорений или ТИП:ЕДИНИЦА с типом 1…16; остаётся обычная единица.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>исправен</translation>
+    </message>
+    <message>
+        <source>the line of the sensor is shorted</source>
+        <translation>замыкание линии датчика</translation>
+    </message>
+    <message>
+        <source>the line of the sensor is broken</source>
+        <translation>обрыв линии датчика</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>нет данных</translation>
+    </message>
+    <message>
+        <source>state %1</source>
+        <translation>состояние %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>отключён</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>неисправность</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>предупреждение</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>останов</translation>
+    </message>
+    <message>
+        <source>far from its usual value</source>
+        <translation>далеко от обычного значения</translation>
+    </message>
+    <message>
+        <source>Line of the sensor shorted: channel %1</source>
+        <translation>Замыкание линии датчика: канал %1</translation>
+    </message>
+    <message>
+        <source>Line of the sensor broken: channel %1</source>
+        <translation>Обрыв линии датчика: канал %1</translation>
+    </message>
+    <message>
+        <source>line of the sensor broken: channel %1</source>
+        <translation>обрыв линии датчика: канал %1</translation>
+    </message>
 </context>
 <context>
     <name>LVimsDriver</name>
@@ -441,6 +524,38 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>%1%2 is &quot;%3&quot;, but takes %4…%5. Its usual value is used.</source>
         <translation>%1%2 равен «%3», а допустимо %4…%5. Принято обычное значение.</translation>
+    </message>
+    <message>
+        <source>The waveform of channel %1</source>
+        <translation>Выборка канала %1</translation>
+    </message>
+    <message>
+        <source>The spectrum of channel %1 up to 5000 Hz</source>
+        <translation>Спектр канала %1 до 5000 Гц</translation>
+    </message>
+    <message>
+        <source>The spectrum of channel %1 up to 200 Hz</source>
+        <translation>Спектр канала %1 до 200 Гц</translation>
+    </message>
+    <message>
+        <source>the module refuses it. It is tried again at the next time.</source>
+        <translation>модуль отказывает. Следующая попытка — в очередной срок.</translation>
+    </message>
+    <message>
+        <source>another client of the module disturbed it. It is tried again at the next time.</source>
+        <translation>помешал другой клиент модуля. Следующая попытка — в очередной срок.</translation>
+    </message>
+    <message>
+        <source>the module did not finish it in time. It is tried again at the next time.</source>
+        <translation>модуль не успел закончить. Следующая попытка — в очередной срок.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be captured: %2</source>
+        <translation>%1 — захват не удался: %2</translation>
+    </message>
+    <message>
+        <source>%1 is captured again.</source>
+        <translation>%1 — захват снова удаётся.</translation>
     </message>
 </context>
 <context>
@@ -1473,6 +1588,158 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>A station that does not answer keeps its last values, 0 if there never were any; the status word says so. FFFFh: the station answers, but has no such value.</source>
         <translation>У станции, которая не отвечает, остаются последние значения, 0, если их не было; об этом говорит слово состояния. FFFFh: станция отвечает, но такого значения у неё нет.</translation>
+    </message>
+    <message>
+        <source>channels_at says where its channels are</source>
+        <translation>channels_at говорит, где лежат его каналы</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>вибрация</translation>
+    </message>
+    <message>
+        <source>Register where channel 0 of an L-VIMS starts; 0: the sensor has no channels</source>
+        <translation>Регистр, с которого начинается канал 0 модуля L-VIMS; 0 — у датчика нет каналов</translation>
+    </message>
+    <message>
+        <source>How many channels there are</source>
+        <translation>Сколько каналов</translation>
+    </message>
+    <message>
+        <source>Registers of a channel</source>
+        <translation>Регистров на канал</translation>
+    </message>
+    <message>
+        <source>Register where the relays of an L-VIMS start</source>
+        <translation>Регистр, с которого начинаются реле модуля L-VIMS</translation>
+    </message>
+    <message>
+        <source>Unit, if MeasUnit does not say another</source>
+        <translation>Единица, если MeasUnit не задаёт другой</translation>
+    </message>
+    <message>
+        <source>Unit 1: flags of a channel of L-VIMS</source>
+        <translation>Устройство 1: флаги канала L-VIMS</translation>
+    </message>
+    <message>
+        <source>Unit 1: flags of a measurement of L-VIMS</source>
+        <translation>Устройство 1: флаги измерения L-VIMS</translation>
+    </message>
+    <message>
+        <source>Unit 1: type of a measurement of L-VIMS</source>
+        <translation>Устройство 1: тип измерения L-VIMS</translation>
+    </message>
+    <message>
+        <source>Relays: bit R: relay R is known</source>
+        <translation>Реле: бит R — состояние реле R известно</translation>
+    </message>
+    <message>
+        <source>Relays: bit R: what the module has decided</source>
+        <translation>Реле: бит R — что решил модуль</translation>
+    </message>
+    <message>
+        <source>Relays: bit R: what the output shows</source>
+        <translation>Реле: бит R — что на выходе</translation>
+    </message>
+    <message>
+        <source>Relays: bit R: error</source>
+        <translation>Реле: бит R — ошибка</translation>
+    </message>
+    <message>
+        <source>Relays: bit R: enabled</source>
+        <translation>Реле: бит R — разрешено</translation>
+    </message>
+    <message>
+        <source>Line to the sensor: 0 good, 1 shorted, 2 broken; 65535 no data, not in use or not known now</source>
+        <translation>Линия датчика: 0 исправна, 1 замыкание, 2 обрыв; 65535 — нет данных, канал отключён или сейчас неизвестно</translation>
+    </message>
+    <message>
+        <source>Flags of the channel</source>
+        <translation>Флаги канала</translation>
+    </message>
+    <message>
+        <source>How many measurements are in use</source>
+        <translation>Сколько измерений используется</translation>
+    </message>
+    <message>
+        <source>Type of the measurement, 1…16; 0: not in use</source>
+        <translation>Тип измерения, 1…16; 0 — не используется</translation>
+    </message>
+    <message>
+        <source>Flags of the measurement</source>
+        <translation>Флаги измерения</translation>
+    </message>
+    <message>
+        <source>Value in the unit of the type</source>
+        <translation>Значение в единицах типа</translation>
+    </message>
+    <message>
+        <source>Share of the scale, %; without PercentCode the code of the module</source>
+        <translation>Доля шкалы, %; без PercentCode — код модуля</translation>
+    </message>
+    <message>
+        <source>Baseline, as the share of the scale</source>
+        <translation>Базовый уровень, так же как доля шкалы</translation>
+    </message>
+    <message>
+        <source>the channel is known now</source>
+        <translation>состояние канала сейчас известно</translation>
+    </message>
+    <message>
+        <source>it is in use</source>
+        <translation>канал используется</translation>
+    </message>
+    <message>
+        <source>the line to its sensor is shorted or broken</source>
+        <translation>замыкание или обрыв линии его датчика</translation>
+    </message>
+    <message>
+        <source>the measurement is in use</source>
+        <translation>измерение используется</translation>
+    </message>
+    <message>
+        <source>its value is valid</source>
+        <translation>значение достоверно</translation>
+    </message>
+    <message>
+        <source>its share of the scale is valid</source>
+        <translation>доля шкалы достоверна</translation>
+    </message>
+    <message>
+        <source>its baseline is valid</source>
+        <translation>базовый уровень достоверен</translation>
+    </message>
+    <message>
+        <source>it is far from its baseline</source>
+        <translation>отклонение от базового уровня превышено</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>неисправность</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>предупреждение</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>останов</translation>
+    </message>
+    <message>
+        <source>the module knows whether there is a fault</source>
+        <translation>модуль знает, есть ли неисправность</translation>
+    </message>
+    <message>
+        <source>it knows whether there is a warning</source>
+        <translation>модуль знает, есть ли предупреждение</translation>
+    </message>
+    <message>
+        <source>it knows whether there is a stop</source>
+        <translation>модуль знает, есть ли останов</translation>
+    </message>
+    <message>
+        <source>Channels and relays of L-VIMS</source>
+        <translation>Каналы и реле L-VIMS</translation>
     </message>
 </context>
 <context>
@@ -2918,6 +3185,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>no</source>
         <translation>нет</translation>
     </message>
+    <message>
+        <source>a channel has no data</source>
+        <translation>в одном из каналов нет данных</translation>
+    </message>
+    <message>
+        <source>fault, warning or stop of a measurement</source>
+        <translation>неисправность, предупреждение или останов по измерению</translation>
+    </message>
 </context>
 <context>
     <name>Station</name>
@@ -3510,6 +3785,77 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The device does not understand the request (ErrorData).</source>
         <translation>Устройство не понимает запрос (ErrorData).</translation>
+    </message>
+</context>
+<context>
+    <name>VibrationPage</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>code %1</source>
+        <translation>код %1</translation>
+    </message>
+    <message>
+        <source>%1: type %2 %3</source>
+        <translation>%1: тип %2 %3</translation>
+    </message>
+    <message>
+        <source>baseline %1</source>
+        <translation>базовый уровень %1</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>разрешено</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>отключено</translation>
+    </message>
+    <message>
+        <source>logical %1</source>
+        <translation>логическое %1</translation>
+    </message>
+    <message>
+        <source>physical %1</source>
+        <translation>физическое %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>ошибка</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Канал %1</translation>
+    </message>
+    <message>
+        <source>State of the channel</source>
+        <translation>Состояние канала</translation>
+    </message>
+    <message>
+        <source>state of the line to the sensor of the channel</source>
+        <translation>состояние линии датчика этого канала</translation>
+    </message>
+    <message>
+        <source>value; share of the scale; what is raised (with a question mark: the module does not know it); the baseline, if it is valid</source>
+        <translation>значение; доля шкалы; что сработало (с вопросительным знаком — модуль этого не знает); базовый уровень, если он достоверен</translation>
+    </message>
+    <message>
+        <source>Relays</source>
+        <translation>Реле</translation>
+    </message>
+    <message>
+        <source>Relay %1</source>
+        <translation>Реле %1</translation>
+    </message>
+    <message>
+        <source>what the module has decided (logical), what its output shows (physical)</source>
+        <translation>что решил модуль (логическое), что на его выходе (физическое)</translation>
+    </message>
+    <message>
+        <source>channel %1: %2</source>
+        <translation>канал %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4152,6 +4498,17 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>What to do</source>
         <translation>Что делать</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::CaptureFolder</name>
+    <message>
+        <source>A capture of an L-VIMS is lost, it could not be saved: %1. So will be those that follow, until there is room for them.</source>
+        <translation>Захват L-VIMS потерян, сохранить его не удалось: %1. Следующие будут потеряны тоже, пока для них не найдётся места.</translation>
+    </message>
+    <message>
+        <source>The captures of the L-VIMS are being saved again.</source>
+        <translation>Захваты L-VIMS снова сохраняются.</translation>
     </message>
 </context>
 <context>
@@ -4971,6 +5328,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The disk was busy for too long: %1 samples and %2 events were not saved.</source>
         <translation>Диск был занят слишком долго: не сохранено отсчётов: %1, событий: %2.</translation>
+    </message>
+    <message>
+        <source>The disk was busy for too long: %1 captures of L-VIMS were not saved.</source>
+        <translation>Диск слишком долго был занят: не сохранено захватов L-VIMS: %1.</translation>
     </message>
 </context>
 <context>
@@ -9123,42 +9484,6 @@ settings   записывает его настройки в файл или ф�
     <message>
         <source>All settings of the module change, its network address too. Write them?</source>
         <translation>Изменятся все настройки модуля, в том числе его сетевой адрес. Записать?</translation>
-    </message>
-    <message>
-        <source>good</source>
-        <translation>исправен</translation>
-    </message>
-    <message>
-        <source>the line of the sensor is shorted</source>
-        <translation>замыкание линии датчика</translation>
-    </message>
-    <message>
-        <source>the line of the sensor is broken</source>
-        <translation>обрыв линии датчика</translation>
-    </message>
-    <message>
-        <source>no data</source>
-        <translation>нет данных</translation>
-    </message>
-    <message>
-        <source>state %1</source>
-        <translation>состояние %1</translation>
-    </message>
-    <message>
-        <source>fault</source>
-        <translation>неисправность</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>предупреждение</translation>
-    </message>
-    <message>
-        <source>stop</source>
-        <translation>останов</translation>
-    </message>
-    <message>
-        <source>far from its usual value</source>
-        <translation>далеко от обычного значения</translation>
     </message>
     <message>
         <source>boot loader</source>

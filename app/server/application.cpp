@@ -21,6 +21,25 @@ StatusRules statusRules(const ServerConfig &config)
     return {config.timing.readErrorLimit, config.timing.crcErrorLimit, config.hasLegacyStatusBits};
 }
 
+bool savesHistory(const ApplicationSettings &settings)
+{
+    return settings.config.savesFiles && settings.ownsDataFolder;
+}
+
+/// Where no files are saved, nothing is captured for them.
+QList<LineConfig> polledLines(const ApplicationSettings &settings)
+{
+    QList<LineConfig> lines = settings.config.lines;
+    for (LineConfig &line : lines) {
+        for (SensorConfig &sensor : line.sensors) {
+            if (!savesHistory(settings)) {
+                sensor.options.remove(QStringLiteral("captureevery"));
+            }
+        }
+    }
+    return lines;
+}
+
 Acquisition::Settings acquisitionSettings(const ApplicationSettings &settings)
 {
     const ServerConfig &config = settings.config;
@@ -30,7 +49,7 @@ Acquisition::Settings acquisitionSettings(const ApplicationSettings &settings)
     common.gravity = config.gravity;
     common.ringPackets = config.ringPackets;
     common.asksInformation = config.asksInformation;
-    return {config.lines, common, settings.ports};
+    return {polledLines(settings), common, settings.ports};
 }
 
 HistoryConfig historyConfig(const ApplicationSettings &settings)
@@ -40,7 +59,7 @@ HistoryConfig historyConfig(const ApplicationSettings &settings)
     history.saveInterval = settings.config.timing.save;
     history.ringPackets = settings.config.ringPackets;
     history.packetsToSave = settings.config.packetsToSave;
-    history.savesFiles = settings.config.savesFiles && settings.ownsDataFolder;
+    history.savesFiles = savesHistory(settings);
     history.lines = settings.config.lines;
     return history;
 }

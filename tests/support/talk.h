@@ -21,6 +21,7 @@ namespace gorizont::test {
 ///
 ///     = tiltX, tiltY, temperature, heaterPower, fanFrequency NUMBER   equal to the last digit written; `none`: absent
 ///     = rawStatus, rawMode NUMBER                                     decimal, or hexadecimal with 0x
+///     = channelI STATE, measurementI.M TYPE NUMBER                    of a vibration module; `off`, `none`: not in use
 ///     = conditions NAME…                                              all that are set; `none`
 ///     = parameters N                                                  of a weather station; `none`: no weather at all
 ///     = T1.mean NUMBER                                                of its parameter T1: mean, instant, min, max,

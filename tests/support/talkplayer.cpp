@@ -3,6 +3,8 @@
 #include "core/devices/drivercatalog.h"
 #include "tests/support/talkweather.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,6 +69,24 @@ QString spelled(const std::optional<quint16> &word, const QString &expected)
     return isHex ? QStringLiteral("0x%1").arg(*word, 4, 16, QLatin1Char('0')) : QString::number(*word);
 }
 
+/// CH_STATUS of a channel; `off`: it is not in use.
+QString spelled(const Vibration &vibration, int channel)
+{
+    const VibrationChannel known = vibration.channels.value(channel);
+    return known.isEnabled ? QString::number(static_cast<int>(known.state)) : QStringLiteral("off");
+}
+
+/// MEAS_TYPE and value; `none`: it is not in use.
+QString spelled(const Vibration &vibration, int channel, int index, const QString &expected)
+{
+    for (const VibrationMeasurement &measurement : vibration.channels.value(channel).measurements) {
+        if (measurement.index == index) {
+            return QStringLiteral("%1 %2").arg(QString::number(measurement.type), spelled(measurement.value, expected));
+        }
+    }
+    return QStringLiteral("none");
+}
+
 /// How a value stands in a recording, in the manner of \a expected; `?` for a key that does not exist.
 QString actual(const Measurement &measurement, const QString &key, const QString &expected)
 {
@@ -94,6 +114,14 @@ QString actual(const Measurement &measurement, const QString &key, const QString
     }
     if (key == QLatin1String("conditions")) {
         return spelled(measurement.conditions);
+    }
+    static const QRegularExpression channelKey(QStringLiteral("^channel(\\d)$"));
+    static const QRegularExpression measurementKey(QStringLiteral("^measurement(\\d)\\.(\\d)$"));
+    if (const auto match = channelKey.match(key); match.hasMatch() && measurement.vibration) {
+        return spelled(*measurement.vibration, match.captured(1).toInt());
+    }
+    if (const auto match = measurementKey.match(key); match.hasMatch() && measurement.vibration) {
+        return spelled(*measurement.vibration, match.captured(1).toInt(), match.captured(2).toInt(), expected);
     }
     static const QStringList ofWeather{
         QStringLiteral("parameters"), QStringLiteral("digital"), QStringLiteral("events")};

@@ -8,12 +8,22 @@ namespace {
 
 using namespace statusbit;
 
-/// Answering, and something it should measure cannot be used now.
-bool lacksValues(const SensorConfig &sensor, quint16 status)
+/// A channel in use without a value, or a value that the module complains of.
+bool hasTroubledChannel(const Vibration &vibration)
 {
+    return std::any_of(vibration.channels.begin(), vibration.channels.end(), [](const VibrationChannel &channel) {
+        return channel.isEnabled && (channel.state != ChannelState::Good || channel.isAnythingRaised());
+    });
+}
+
+/// Answering, and something it should measure cannot be used now.
+bool lacksValues(const SensorConfig &sensor, const Reading &reading)
+{
+    const quint16 status = reading.status;
     return (sensor.measuresTilt && !isTiltValid(status)) || (sensor.measuresTemperature && !isTemperatureValid(status))
         || (sensor.measuresAcceleration && !isAccelerationValid(status))
-        || (sensor.hasThermostat && (status & ThermostatUnsettled));
+        || (sensor.hasThermostat && (status & ThermostatUnsettled))
+        || (reading.vibration && hasTroubledChannel(*reading.vibration));
 }
 
 } // namespace
@@ -46,7 +56,7 @@ Health sensorHealth(const SensorRegistry::Sensor &sensor, LineState line)
     if (!sensor.reading.answeredAt) {
         return Health::Unknown;
     }
-    return lacksValues(sensor.config, status) ? Health::Warning : Health::Good;
+    return lacksValues(sensor.config, sensor.reading) ? Health::Warning : Health::Good;
 }
 
 Health portHealth(LineState state, Health worstSensor)

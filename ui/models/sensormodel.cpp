@@ -5,6 +5,7 @@
 #include "ui/models/statetext.h"
 #include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
+#include "ui/models/vibrationproperties.h"
 #include "ui/models/weatherproperties.h"
 
 #include <QFontDatabase>
@@ -124,16 +125,19 @@ QString SensorModel::toolTip(const SensorRegistry::Sensor &sensor, int column) c
                     valuetext::signedFixed(isMaximum ? accel->maximumY : accel->rmsY, 2));
         }
         break;
-    case Status: return statusmeaning::word(reading.status);
+    case Status: return statusmeaning::word(reading);
     default: break;
     }
     const SensorRegistry::Line &line = m_registry.lines()[static_cast<std::size_t>(sensor.line)];
-    const QString weather = weatherSummary(sensor, line.status.state);
-    return QStringLiteral("%1\n%2\n%3: %4")
-               .arg(
-                   statetext::sensorTitle(sensor.config), sensor.config.name, line.config.title(),
-                   statetext::sensor(sensor, line.status.state))
-        + (weather.isEmpty() ? QString() : u'\n' + weather);
+    QStringList lines{
+        statetext::sensorTitle(sensor.config), sensor.config.name,
+        QStringLiteral("%1: %2").arg(line.config.title(), statetext::sensor(sensor, line.status.state))};
+    for (const QString &more : {vibrationSummary(reading), weatherSummary(sensor, line.status.state)}) {
+        if (!more.isEmpty()) {
+            lines.append(more);
+        }
+    }
+    return lines.join(u'\n');
 }
 
 QVariant SensorModel::data(const QModelIndex &index, int role) const

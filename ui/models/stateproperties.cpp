@@ -4,6 +4,7 @@
 #include "ui/models/statetext.h"
 #include "ui/models/statusmeaning.h"
 #include "ui/models/valuetext.h"
+#include "ui/models/vibrationproperties.h"
 #include "ui/models/weatherproperties.h"
 
 #include <QCoreApplication>
@@ -57,7 +58,7 @@ QString statusNote(const SensorConfig &sensor, const Reading &reading)
     }
     return note + QStringLiteral("\n\n")
         + SensorPage::tr("the program's own word: %1").arg(valuetext::status(reading.status).trimmed()) + u'\n'
-        + statusmeaning::word(reading.status);
+        + statusmeaning::word(reading);
 }
 
 Property stateRow(const QString &name, const QString &state, const QString &note, Health health)
@@ -130,6 +131,7 @@ Properties sensorProperties(const SensorRegistry::Sensor &sensor, LineState line
          SensorPage::tr("number of CRC errors in what was read from the sensor")},
     };
     rows += informationProperties(sensor);
+    rows += vibrationProperties(sensor);
     rows += weatherProperties(sensor, line);
     return rows;
 }

@@ -1,6 +1,7 @@
 #include "ui/models/statetext.h"
 
 #include "core/values/statustext.h"
+#include "core/values/vibrationtext.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -15,11 +16,31 @@ struct State
     Q_DECLARE_TR_FUNCTIONS(State)
 };
 
+/// What is wrong with the channels of a vibration module that works.
+QStringList shortcomings(const Vibration &vibration)
+{
+    QStringList list{vibrationtext::lineFaults(vibration)};
+    bool isWaiting = false;
+    bool isRaised = false;
+    for (const VibrationChannel &channel : vibration.channels) {
+        isWaiting = isWaiting || (channel.isEnabled && channel.state == ChannelState::NoData);
+        isRaised = isRaised || channel.isAnythingRaised();
+    }
+    list += isWaiting ? State::tr("a channel has no data") : QString();
+    list += isRaised ? State::tr("fault, warning or stop of a measurement") : QString();
+    list.removeAll(QString());
+    return list;
+}
+
 /// What an answering sensor lacks, by the flags of its status word.
-QStringList shortcomings(const SensorConfig &sensor, quint16 status)
+QStringList shortcomings(const SensorConfig &sensor, const Reading &reading)
 {
     using namespace statusbit;
+    const quint16 status = reading.status;
     QStringList list;
+    if (reading.vibration) {
+        list += shortcomings(*reading.vibration);
+    }
     if (status & Rebooted && !isTiltValid(status)) {
         list += State::tr("restarted");
     }
@@ -73,11 +94,11 @@ QString sensor(const SensorRegistry::Sensor &sensor, LineState line)
     case Health::Unknown: return State::tr("Waiting for the first answer");
     case Health::Good: return State::tr("Answering");
     case Health::Warning:
-        return State::tr("Answering: %1").arg(shortcomings(sensor.config, status).join(QStringLiteral(", ")));
+        return State::tr("Answering: %1").arg(shortcomings(sensor.config, sensor.reading).join(QStringLiteral(", ")));
     case Health::Off:
     case Health::Error: break;
     }
-    return statusText(statusCode(status));
+    return statusText(sensor.reading);
 }
 
 QString health(Health health)

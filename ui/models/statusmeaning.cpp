@@ -67,9 +67,16 @@ template <std::size_t size> void addBits(QStringList &lines, const std::array<Bi
 
 QString word(quint16 status)
 {
-    const StatusCode code = statusCode(status);
-    QStringList lines{StatusBits::tr("code %1: %2").arg(static_cast<int>(code)).arg(statusText(code))};
-    addBits(lines, bits, status);
+    Reading reading;
+    reading.status = status;
+    return word(reading);
+}
+
+QString word(const Reading &reading)
+{
+    const auto code = static_cast<int>(statusCode(reading.status));
+    QStringList lines{StatusBits::tr("code %1: %2").arg(code).arg(statusText(reading))};
+    addBits(lines, bits, reading.status);
     return lines.join(u'\n');
 }
 

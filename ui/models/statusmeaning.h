@@ -11,6 +11,8 @@ namespace statusmeaning {
 
 /// The code and every bit that is set in the word of manual 000, section 11.2.
 QString word(quint16 status);
+/// The same; the code of a vibration module says which lines are shorted or broken.
+QString word(const Reading &reading);
 
 /// The code's place and all bits 11…0: the legend of the column.
 QString legend();

@@ -181,4 +181,9 @@ std::optional<double> validFanFrequency(const SensorConfig &sensor, const Readin
     return isInContact(reading.status) ? ofThermostat(sensor, reading.fanFrequency) : std::nullopt;
 }
 
+std::optional<Vibration> validVibration(const Reading &reading)
+{
+    return isInContact(reading.status) ? reading.vibration : std::nullopt;
+}
+
 } // namespace gorizont

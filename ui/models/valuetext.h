@@ -51,5 +51,7 @@ std::optional<AccelStatistics> validAcceleration(const Reading &reading);
 /// tells of no thermostat and that reports zero has none.
 std::optional<double> validHeaterPower(const SensorConfig &sensor, const Reading &reading);
 std::optional<double> validFanFrequency(const SensorConfig &sensor, const Reading &reading);
+/// The module answers. What of it is valid, channels and measurements say themselves.
+std::optional<Vibration> validVibration(const Reading &reading);
 
 } // namespace gorizont
