@@ -2,9 +2,12 @@
 
 #include <QString>
 
+#include <functional>
+
 namespace gorizont {
 
 class ArchiveReader;
+class LineWorker;
 class MainWindow;
 class SensorRegistry;
 struct ServerConfig;
@@ -16,10 +19,11 @@ struct PageSources
     ArchiveReader &archive;
     const ServerConfig &config;
     QString dataFolder;
+    std::function<LineWorker *(int port)> worker; ///< of section [Port{port}]; null when that port is off
 };
 
-/// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration, and
-/// <Перемещения> where the site has chains. F5 asks the archive again. All sources outlive the window.
+/// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration,
+/// <Вибрация> where there is an L-VIMS, and <Перемещения> where the site has chains. F5 asks the archive again. All sources outlive the window.
 void addWindowPages(MainWindow &window, const PageSources &sources);
 
 } // namespace gorizont

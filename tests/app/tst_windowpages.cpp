@@ -91,7 +91,7 @@ void TestWindowPages::cleanup()
 void TestWindowPages::open()
 {
     m_window = std::make_unique<MainWindow>(*m_registry, m_journal, *m_alarms, m_config, QList<Complaint>());
-    addWindowPages(*m_window, {*m_registry, *m_archive, m_config, m_folder->path()});
+    addWindowPages(*m_window, {*m_registry, *m_archive, m_config, m_folder->path(), {}});
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));

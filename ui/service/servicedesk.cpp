@@ -4,6 +4,7 @@
 #include "ui/service/ind3dialog.h"
 #include "ui/service/servicetext.h"
 #include "ui/service/usmdialog.h"
+#include "ui/service/vimsdialog.h"
 
 #include <QAction>
 #include <QMenu>
@@ -16,13 +17,14 @@ namespace gorizont {
 
 namespace {
 
-constexpr std::array serviced{SensorType::InD, SensorType::AnD3, SensorType::UsmIsn};
+constexpr std::array serviced{SensorType::InD, SensorType::AnD3, SensorType::UsmIsn, SensorType::LVims};
 
 QString objectNameOf(SensorType type)
 {
     switch (type) {
     case SensorType::InD: return QStringLiteral("serviceInD3");
     case SensorType::UsmIsn: return QStringLiteral("serviceUsm");
+    case SensorType::LVims: return QStringLiteral("serviceLVims");
     default: break;
     }
     return QStringLiteral("serviceAnD3");
@@ -33,6 +35,7 @@ ServiceDialog *makeDialog(SensorType type, const ServicePort &port, QWidget *win
     switch (type) {
     case SensorType::InD: return new Ind3Dialog(port, window);
     case SensorType::UsmIsn: return new UsmDialog(port, window);
+    case SensorType::LVims: return new VimsDialog(port, window);
     default: break;
     }
     return new And3Dialog(port, window);

@@ -57,16 +57,20 @@ CaptureInformation describedSpectrum(const Words &words)
 
 } // namespace
 
-QList<SpectrumBin> spectrumOf(const CaptureInformation &information, const QList<qint32> &codes)
+/// One-sided: the halves of both signs of a frequency count, except at 0.
+QList<SpectrumBin> spectrumOf(const CaptureInformation &information, const QList<qint32> &codes, CodeUnit unit)
 {
+    const double scale = std::abs(information.scale(unit));
+    const double windowPower = information.rate * information.windowSum2;
     const qsizetype bins = codes.size() / 2;
     QList<SpectrumBin> spectrum;
     spectrum.reserve(bins);
     for (qsizetype k = 0; k < bins; ++k) {
-        const double modulus = std::hypot(codes.at(2 * k), codes.at(2 * k + 1));
-        const double factor = (k == 0 ? 1 : 2) * std::abs(information.physicalK) / information.windowSum;
+        const double modulus = scale * std::hypot(codes.at(2 * k), codes.at(2 * k + 1));
+        const int sides = k == 0 ? 1 : 2;
         spectrum.append(
-            {static_cast<double>(k) * information.rate / (2.0 * static_cast<double>(bins)), factor * modulus});
+            {static_cast<double>(k) * information.rate / (2.0 * static_cast<double>(bins)),
+             sides * modulus / information.windowSum, windowPower > 0 ? sides * modulus * modulus / windowPower : 0});
     }
     return spectrum;
 }
@@ -145,7 +149,8 @@ Result<void> Capture::wait(Line &line, SteadyTime now)
         m_phase = Phase::Inform;
         return {};
     }
-    return now > m_deadline ? Result<void>(Fault::Timeout) : Result<void>();
+    m_isLate = now > m_deadline;
+    return m_isLate ? Result<void>(Fault::Timeout) : Result<void>();
 }
 
 QList<quint16> Capture::selection(quint32 offset) const

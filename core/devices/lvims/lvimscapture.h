@@ -4,6 +4,9 @@
 
 namespace gorizont::lvims {
 
+/// What ADC codes are told in.
+enum class CodeUnit : quint8 { Physical, Volts };
+
 /// What a module says of a waveform or a spectrum that it keeps.
 struct CaptureInformation
 {
@@ -21,6 +24,9 @@ struct CaptureInformation
 
     double volts(qint32 code) const { return voltsK * code + voltsB; }
     double physical(qint32 code) const { return physicalK * code + physicalB; }
+    /// What a code is multiplied with.
+    double scale(CodeUnit unit) const { return unit == CodeUnit::Volts ? voltsK : physicalK; }
+    double value(qint32 code, CodeUnit unit) const { return unit == CodeUnit::Volts ? volts(code) : physical(code); }
     double time(qsizetype sample) const { return static_cast<double>(sample) / rate; } ///< s since the first one
     bool operator==(const CaptureInformation &) const = default;
 };
@@ -28,12 +34,14 @@ struct CaptureInformation
 struct SpectrumBin
 {
     double frequency = 0; ///< Hz
-    double amplitude = 0; ///< of a tone of this frequency, in the physical quantity
+    double amplitude = 0; ///< of a tone of this frequency
+    double density = 0; ///< of power, the square of the unit a Hz; 0: the module does not say what its window does
     bool operator==(const SpectrumBin &) const = default;
 };
 
-/// A spectrum in physical units (spec/l-vims.md, 5). \a codes: real and imaginary in turns.
-QList<SpectrumBin> spectrumOf(const CaptureInformation &information, const QList<qint32> &codes);
+/// A spectrum in physical units or volts (spec/l-vims.md, 5). \a codes: real and imaginary in turns.
+QList<SpectrumBin> spectrumOf(
+    const CaptureInformation &information, const QList<qint32> &codes, CodeUnit unit = CodeUnit::Physical);
 
 /// Makes a module keep a waveform or a spectrum and fetches it, step by step: between any two the line is free for others. What
 /// another client does to the selection is noticed and the transfer begun anew. Thread of the line.
@@ -52,6 +60,8 @@ public:
     bool isDone() const { return m_phase == Phase::Done; }
     std::chrono::milliseconds pause() const; ///< before the next step
     int disturbances() const { return m_disturbances; } ///< attempts that another client, or an exception, has spoilt
+    bool isLate() const { return m_isLate; } ///< it timed out because the module answers and keeps no waveform
+    int exception() const { return m_link.exception(); } ///< of Modbus, in the last step; 0: none
 
     /// Both are whole when isDone().
     const CaptureInformation &information() const { return m_information; }
@@ -85,6 +95,7 @@ private:
     std::chrono::milliseconds m_length{0}; ///< WF_ACQ_TIME
     SteadyTime m_deadline{};
     int m_disturbances = 0;
+    bool m_isLate = false;
     CaptureInformation m_information;
     QList<qint32> m_codes;
 };
