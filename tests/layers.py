@@ -46,7 +46,8 @@ ROOMS = {
     ],
     "ui/vibration": [
         "ui", "core/values", "core/registry", "core/engine/lineworker.h", "core/analysis", "core/files/wholefile.h",
-        "core/devices/lvims/lvimsservice.h", "core/devices/lvims/lvimsfiles.h", "core/devices/lvims/lvimsprotocol.h",
+        "core/devices/lvims/lvimscapture.h", "core/devices/lvims/lvimsfiles.h", "core/devices/lvims/lvimsprotocol.h",
+        "core/devices/lvims/lvimsservice.h",
     ],
     "ui/history": ["ui", "core/values", "core/registry", "core/export"],
     "ui": [

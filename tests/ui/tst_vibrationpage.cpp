@@ -133,7 +133,7 @@ private Q_SLOTS:
         waitForTurn();
         m->bench.forgetSent();
         waitForTurn();
-        QVERIFY(std::none_of(m->bench.sent().begin(), m->bench.sent().end(), isTransfer));
+        QVERIFY(!isTransferring());
         capture();
         QCOMPARE(plot("vibrationWave")->graph(0)->dataCount(), 12800);
     }
@@ -148,7 +148,7 @@ private Q_SLOTS:
         waitForTurn();
         m->bench.forgetSent();
         waitForTurn();
-        QVERIFY(std::none_of(m->bench.sent().begin(), m->bench.sent().end(), isTransfer));
+        QVERIFY(!isTransferring());
     }
 
     void repeats()
@@ -158,7 +158,7 @@ private Q_SLOTS:
         capture();
         QVERIFY(find<QPushButton>("vibrationStop")->isEnabled()); // it waits for the next
         m->bench.forgetSent();
-        QTRY_VERIFY_WITH_TIMEOUT(std::any_of(m->bench.sent().begin(), m->bench.sent().end(), isTransfer), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(isTransferring(), patience);
         find<QPushButton>("vibrationStop")->click();
         QVERIFY(!find<QPushButton>("vibrationStop")->isEnabled());
     }
@@ -338,6 +338,12 @@ private:
     {
         start();
         QTRY_VERIFY_WITH_TIMEOUT(find<QPushButton>("vibrationCapture")->isEnabled(), patience);
+    }
+    /// Something was fetched since forgetSent().
+    bool isTransferring() const
+    {
+        const QList<QByteArray> sent = m->bench.sent();
+        return std::any_of(sent.begin(), sent.end(), isTransfer);
     }
     /// What the thread of the line has begun is over.
     void waitForTurn()
