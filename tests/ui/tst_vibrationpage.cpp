@@ -238,6 +238,17 @@ private Q_SLOTS:
         QCOMPARE(plot("vibrationWave")->graph(0)->dataCount(), 12800);
     }
 
+    void noData()
+    {
+        m->change([](lvims::SimulatedModule &module) {
+            module.setChannelStatus(0, 0xFFFF);
+            module.update();
+        });
+        capture();
+        QVERIFY(text("vibrationState").contains(u"There is no data on this channel (waveform)."));
+        QCOMPARE(plot("vibrationWave")->graph(0)->dataCount(), 0);
+    }
+
     void cursors()
     {
         m->change([](lvims::SimulatedModule &module) { module.setTones(0, {{100, 500, 0}}); });

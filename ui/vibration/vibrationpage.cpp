@@ -37,7 +37,7 @@ VibrationPage::VibrationPage(SensorRegistry &registry, WorkerOf worker, const Ti
     , m_units(new QComboBox(this))
     , m_scales(new QComboBox(this))
     , m_cursors(new QCheckBox(tr("C&ursors"), this))
-    , m_save(new QPushButton(tr("Sa&ve"), this))
+    , m_save(new QPushButton(tr("S&ave"), this))
     , m_progress(new QProgressBar(this))
     , m_state(new QLabel(this))
 {

@@ -104,7 +104,7 @@ void VibrationPage::buildCapturing(QHBoxLayout &row)
     m_progress->setTextVisible(false);
     row.addWidget(labelFor(m_modules, tr("&Module:")));
     row.addWidget(m_modules);
-    row.addWidget(labelFor(m_channels, tr("C&hannel:")));
+    row.addWidget(labelFor(m_channels, tr("Cha&nnel:")));
     for (QWidget *widget : std::initializer_list<QWidget *>{m_channels, m_start, m_stop, m_repeats, m_period}) {
         row.addWidget(widget);
     }
