@@ -116,6 +116,16 @@
     </message>
 </context>
 <context>
+    <name>gorizont::VimsText</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gorizont::tool::Text</name>
     <message numerus="yes">
         <source>address %1, %n sensor(s) found</source>

@@ -559,6 +559,49 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>LVimsSettings</name>
+    <message>
+        <source>an IPv4 address of one machine, such as 192.168.1.10</source>
+        <translation>адрес IPv4 одного устройства, например 192.168.1.10</translation>
+    </message>
+    <message>
+        <source>a mask of a network, such as 255.255.255.0</source>
+        <translation>маску сети, например 255.255.255.0</translation>
+    </message>
+    <message>
+        <source>an IPv4 address, or 0.0.0.0 for none</source>
+        <translation>адрес IPv4 или 0.0.0.0, если шлюза нет</translation>
+    </message>
+    <message>
+        <source>a sum of 1, 2, 4, 8 for channels 0…3, or 0</source>
+        <translation>сумму чисел 1, 2, 4, 8 для каналов 0…3 или 0</translation>
+    </message>
+    <message>
+        <source>a whole number of ms, %1…%2</source>
+        <translation>целое число мс, %1…%2</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>число</translation>
+    </message>
+    <message>
+        <source>a type of measurement, 0…%1</source>
+        <translation>тип измерения, 0…%1</translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation>0 или 1</translation>
+    </message>
+    <message>
+        <source>a frequency in Hz, not below 0, in steps of 0.1</source>
+        <translation>частоту в Гц, не меньше 0, с шагом 0.1</translation>
+    </message>
+    <message>
+        <source>%1 takes %2, not &quot;%3&quot;.</source>
+        <translation>%1 принимает %2, а не «%3».</translation>
+    </message>
+</context>
+<context>
     <name>Metrics</name>
     <message>
         <source>Another program uses this port. Stop that program or choose another Port in [Metrics].</source>
@@ -4102,6 +4145,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>Weather</source>
         <translation>Погода</translation>
     </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Вибрация</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::Acquisition</name>
@@ -4509,6 +4556,101 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>The captures of the L-VIMS are being saved again.</source>
         <translation>Захваты L-VIMS снова сохраняются.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::CaptureText</name>
+    <message>
+        <source>waveform</source>
+        <translation>выборка</translation>
+    </message>
+    <message>
+        <source>spectrum up to 5000 Hz</source>
+        <translation>спектр до 5000 Гц</translation>
+    </message>
+    <message>
+        <source>spectrum up to 200 Hz</source>
+        <translation>спектр до 200 Гц</translation>
+    </message>
+    <message>
+        <source>Waiting for the %1…</source>
+        <translation>Ожидание: %1…</translation>
+    </message>
+    <message>
+        <source>Fetching the %1: %2 of %3</source>
+        <translation>Чтение: %1, %2 из %3</translation>
+    </message>
+    <message>
+        <source>There is no data on this channel (%1). Look whether the channel measures and its sensor is connected.</source>
+        <translation>По этому каналу нет данных (%1). Проверьте, включён ли канал и подключён ли датчик.</translation>
+    </message>
+    <message>
+        <source>The module answers and does not finish the %1. Try again, or restart the module.</source>
+        <translation>Модуль отвечает, но не завершает операцию: %1. Повторите или перезапустите модуль.</translation>
+    </message>
+    <message>
+        <source>The module does not answer (%1). Check its power and its network cable.</source>
+        <translation>Модуль не отвечает (%1). Проверьте питание и сетевой кабель.</translation>
+    </message>
+    <message>
+        <source>The module refuses the %1 (exception %2 of Modbus). The channel may have no data, or another program let the module keep a new one: try again.</source>
+        <translation>Модуль отказал: %1 (исключение Modbus %2). Возможно, по каналу нет данных или другая программа зафиксировала новую выборку: повторите.</translation>
+    </message>
+    <message>
+        <source>Another client has changed the selection of the module %1 times while the %2 was read. Stop its reading, or try again.</source>
+        <translation>Другой клиент %1 раза менял выбор в модуле во время чтения (%2). Остановите его чтение или повторите.</translation>
+    </message>
+    <message>
+        <source>What the module says of the %1 makes no sense. Try again.</source>
+        <translation>Сведения модуля не имеют смысла: %1. Повторите.</translation>
+    </message>
+    <message>
+        <source>The answers are damaged (%1). Try again.</source>
+        <translation>Ответы повреждены (%1). Повторите.</translation>
+    </message>
+    <message>
+        <source>The port is gone or in service (%1). Capture again when it is back.</source>
+        <translation>Порт пропал или обслуживается (%1). Снимите снова, когда он вернётся.</translation>
+    </message>
+    <message>
+        <source>Broken off (%1).</source>
+        <translation>Прервано (%1).</translation>
+    </message>
+    <message>
+        <source>The port is in service; nothing is captured until that ends.</source>
+        <translation>Порт обслуживается; до конца обслуживания ничего не снимается.</translation>
+    </message>
+    <message>
+        <source>The module is away: its port is not open. Check its power and its network cable.</source>
+        <translation>Модуля нет: порт не открыт. Проверьте питание и сетевой кабель.</translation>
+    </message>
+    <message>
+        <source>Channel %1 is switched off in the settings of the module.</source>
+        <translation>Канал %1 выключен в настройках модуля.</translation>
+    </message>
+    <message>
+        <source>Channel %1: the line of the sensor is shorted. Check its cable.</source>
+        <translation>Канал %1: короткое замыкание линии датчика. Проверьте кабель.</translation>
+    </message>
+    <message>
+        <source>Channel %1: the line of the sensor is broken. Check its cable.</source>
+        <translation>Канал %1: обрыв линии датчика. Проверьте кабель.</translation>
+    </message>
+    <message>
+        <source>Channel %1 has no data yet.</source>
+        <translation>По каналу %1 ещё нет данных.</translation>
+    </message>
+    <message>
+        <source>Channel %1 is in state %2.</source>
+        <translation>Канал %1 в состоянии %2.</translation>
+    </message>
+    <message>
+        <source>%1 Hz (%2)</source>
+        <translation>%1 Гц (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -6270,6 +6412,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>Takes the port into service again and scans it.</source>
         <translation>Снова переводит порт в сервисный режим и сканирует линию.</translation>
     </message>
+    <message>
+        <source>Port</source>
+        <translation>Порт</translation>
+    </message>
+    <message>
+        <source>Network address:</source>
+        <translation>Сетевой адрес:</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::PortModel</name>
@@ -6813,6 +6963,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>&amp;Back</source>
         <translation>Верн&amp;уться</translation>
     </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::ServiceSession</name>
@@ -6886,6 +7040,14 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Settings of the weather station %1 on %2</source>
         <translation>Настройка метеостанции %1 на %2</translation>
+    </message>
+    <message>
+        <source>Settings of the module L-VIMS</source>
+        <translation>Настройка модуля L-VIMS</translation>
+    </message>
+    <message>
+        <source>Settings of the module L-VIMS on %1</source>
+        <translation>Настройка модуля L-VIMS на %1</translation>
     </message>
 </context>
 <context>
@@ -7079,6 +7241,25 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Reading…</source>
         <translation>Чтение…</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SpectrumPlot</name>
+    <message>
+        <source>of the waveform</source>
+        <translation>по выборке</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Частота, Гц</translation>
+    </message>
+    <message>
+        <source>Density, (%1)²/Hz</source>
+        <translation>Плотность, (%1)²/Гц</translation>
+    </message>
+    <message>
+        <source>Amplitude, %1</source>
+        <translation>Амплитуда, %1</translation>
     </message>
 </context>
 <context>
@@ -8036,6 +8217,577 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
     <message>
         <source>whether it records is not known (%1)</source>
         <translation>перешёл ли он в режим регистратора, неизвестно (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VibrationPage</name>
+    <message>
+        <source>&amp;Capture</source>
+        <translation>С&amp;нять</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Ст&amp;оп</translation>
+    </message>
+    <message>
+        <source>&amp;every</source>
+        <translation>ка&amp;ждые</translation>
+    </message>
+    <message>
+        <source>C&amp;ursors</source>
+        <translation>К&amp;урсоры</translation>
+    </message>
+    <message>
+        <source>Captured at %1: %2 samples, %3 a second.</source>
+        <translation>Снято в %1: отсчётов %2, %3 в секунду.</translation>
+    </message>
+    <message>
+        <source>No sensor of the configuration is an L-VIMS.</source>
+        <translation>В конфигурации нет ни одного L-VIMS.</translation>
+    </message>
+    <message>
+        <source>Nothing was captured yet. Choose a channel and press &lt;Capture&gt;.</source>
+        <translation>Пока ничего не снято. Выберите канал и нажмите &lt;Снять&gt;.</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>Stopped, because the page was left.</source>
+        <translation>Остановлено: страница закрыта.</translation>
+    </message>
+    <message>
+        <source>The waveform and both spectra of the module. Polling goes on meanwhile.</source>
+        <translation>Выборка и оба спектра модуля. Опрос при этом продолжается.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>Seconds from one capture to the next</source>
+        <translation>Секунд от одного снятия до следующего</translation>
+    </message>
+    <message>
+        <source>&amp;Module:</source>
+        <translation>&amp;Модуль:</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Остановлено.</translation>
+    </message>
+    <message>
+        <source>physical units</source>
+        <translation>физические единицы</translation>
+    </message>
+    <message>
+        <source>volts</source>
+        <translation>вольты</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>амплитуда</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>плотность</translation>
+    </message>
+    <message>
+        <source>Two cursors in each plot: drag them, or Ctrl and Shift with the arrows</source>
+        <translation>По два курсора на каждом графике: мышью или стрелками с Ctrl и Shift</translation>
+    </message>
+    <message>
+        <source>&amp;Whole</source>
+        <translation>&amp;Целиком</translation>
+    </message>
+    <message>
+        <source>Shows all of each plot; the wheel and + − zoom, dragging and the arrows move</source>
+        <translation>Каждый график целиком; колесо и + − меняют масштаб, мышь и стрелки двигают</translation>
+    </message>
+    <message>
+        <source>&amp;In:</source>
+        <translation>Е&amp;диницы:</translation>
+    </message>
+    <message>
+        <source>S&amp;pectra:</source>
+        <translation>С&amp;пектры:</translation>
+    </message>
+    <message>
+        <source>Waveform as a table (CSV)…</source>
+        <translation>Выборка таблицей (CSV)…</translation>
+    </message>
+    <message>
+        <source>Waveform as sound (WAV)…</source>
+        <translation>Выборка звуком (WAV)…</translation>
+    </message>
+    <message>
+        <source>Spectrum up to 5000 Hz as a table (CSV)…</source>
+        <translation>Спектр до 5000 Гц таблицей (CSV)…</translation>
+    </message>
+    <message>
+        <source>Spectrum up to 200 Hz as a table (CSV)…</source>
+        <translation>Спектр до 200 Гц таблицей (CSV)…</translation>
+    </message>
+    <message>
+        <source>Nothing was captured yet.</source>
+        <translation>Пока ничего не снято.</translation>
+    </message>
+    <message>
+        <source>The file was not written (%1). Choose another folder.</source>
+        <translation>Файл не записан (%1). Выберите другую папку.</translation>
+    </message>
+    <message>
+        <source>Save what was captured</source>
+        <translation>Сохранить снятое</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Сохранено: %1.</translation>
+    </message>
+    <message>
+        <source>S&amp;ave</source>
+        <translation>Сохр&amp;анить</translation>
+    </message>
+    <message>
+        <source>Cha&amp;nnel:</source>
+        <translation>&amp;Канал:</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VibrationPlots</name>
+    <message>
+        <source>Waveform</source>
+        <translation>Выборка</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>Время, с</translation>
+    </message>
+    <message>
+        <source>of the module, to 5000 Hz</source>
+        <translation>модуль, до 5000 Гц</translation>
+    </message>
+    <message>
+        <source>Spectrum up to 5000 Hz</source>
+        <translation>Спектр до 5000 Гц</translation>
+    </message>
+    <message>
+        <source>of the module, to 200 Hz</source>
+        <translation>модуль, до 200 Гц</translation>
+    </message>
+    <message>
+        <source>Spectrum up to 200 Hz</source>
+        <translation>Спектр до 200 Гц</translation>
+    </message>
+    <message>
+        <source>Voltage, %1</source>
+        <translation>Напряжение, %1</translation>
+    </message>
+    <message>
+        <source>Acceleration, %1</source>
+        <translation>Ускорение, %1</translation>
+    </message>
+    <message>
+        <source>Peaks of the waveform, %1</source>
+        <translation>Пики по выборке, %1</translation>
+    </message>
+    <message>
+        <source>Waveform: A %1 s: %2; B %3 s: %4; B − A %5 s (1/T = %6 Hz): %7 %8</source>
+        <translation>Выборка: A %1 с: %2; B %3 с: %4; B − A %5 с (1/T = %6 Гц): %7 %8</translation>
+    </message>
+    <message>
+        <source>%1 (module | waveform): A %2 Hz: %3; B %4 Hz: %5; B − A %6 Hz</source>
+        <translation>%1 (модуль | выборка): A %2 Гц: %3; B %4 Гц: %5; B − A %6 Гц</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsComparison</name>
+    <message>
+        <source>Settings that differ</source>
+        <translation>Настройки, которые различаются</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Настройка</translation>
+    </message>
+    <message>
+        <source>In use (CUR)</source>
+        <translation>Действует (CUR)</translation>
+    </message>
+    <message>
+        <source>Prepared (MUT)</source>
+        <translation>Подготовлено (MUT)</translation>
+    </message>
+    <message>
+        <source>In this window</source>
+        <translation>В этом окне</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsDialog</name>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Н&amp;е применять</translation>
+    </message>
+    <message>
+        <source>What was changed here is not written to the module yet. Discard it?</source>
+        <translation>Изменённое здесь ещё не записано в модуль. Отбросить?</translation>
+    </message>
+    <message>
+        <source>Reading the module…</source>
+        <translation>Чтение модуля…</translation>
+    </message>
+    <message>
+        <source>The module cannot be read: %1. Check its power and its network cable.</source>
+        <translation>Модуль не читается: %1. Проверьте питание и сетевой кабель.</translation>
+    </message>
+    <message>
+        <source>The settings cannot be read: %1. Read them again.</source>
+        <translation>Настройки не читаются: %1. Прочитайте их снова.</translation>
+    </message>
+    <message>
+        <source>Prepare these settings in the module (MUT)? It does not use them before &lt;Apply&gt;, nor after a restart.</source>
+        <translation>Подготовить эти настройки в модуле (MUT)? До нажатия &lt;Применить&gt; он ими не пользуется, после перезапуска тоже.</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>За&amp;пись</translation>
+    </message>
+    <message>
+        <source>settings prepared</source>
+        <translation>настройки подготовлены</translation>
+    </message>
+    <message>
+        <source>Writing the settings…</source>
+        <translation>Запись настроек…</translation>
+    </message>
+    <message>
+        <source>settings prepared in the module; it does not use them yet</source>
+        <translation>настройки подготовлены в модуле; он ими ещё не пользуется</translation>
+    </message>
+    <message>
+        <source>the settings were not written whole: %1%2</source>
+        <translation>настройки записаны не полностью: %1%2</translation>
+    </message>
+    <message>
+        <source>Let the module use the prepared settings from now on? Measurements and relays follow them at once.</source>
+        <translation>Модулю пользоваться подготовленными настройками? Измерения и реле перейдут на них сразу.</translation>
+    </message>
+    <message>
+        <source>They do not differ from those in use.</source>
+        <translation>Они не отличаются от действующих.</translation>
+    </message>
+    <message>
+        <source>What was changed here and not written is not among them.</source>
+        <translation>Изменённого здесь и не записанного среди них нет.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Применить</translation>
+    </message>
+    <message>
+        <source>settings applied</source>
+        <translation>настройки применены</translation>
+    </message>
+    <message>
+        <source>Keep the prepared settings in the flash of the module? It starts with them from now on; those that were there before are lost.</source>
+        <translation>Сохранить подготовленные настройки во flash модуля? Дальше он будет запускаться с ними; прежние пропадут.</translation>
+    </message>
+    <message>
+        <source>After its next start the module has another network address: %1.</source>
+        <translation>После следующего запуска у модуля будет другой сетевой адрес: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Сохранить</translation>
+    </message>
+    <message>
+        <source>settings kept in flash</source>
+        <translation>настройки сохранены во flash</translation>
+    </message>
+    <message>
+        <source>Let the module use the settings of its flash again? What was prepared or applied and not kept is lost. If its network address is another one there, the connection will be lost.</source>
+        <translation>Вернуть модуль к настройкам из flash? Подготовленное и применённое, но не сохранённое пропадёт. Если там другой сетевой адрес, связь прервётся.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Вернуть</translation>
+    </message>
+    <message>
+        <source>settings reloaded from flash</source>
+        <translation>настройки взяты из flash</translation>
+    </message>
+    <message>
+        <source>Restart the module? It measures nothing meanwhile, its relays may change, and settings that were not kept in flash are lost.</source>
+        <translation>Перезапустить модуль? В это время он не измеряет, реле могут переключиться, а настройки, не сохранённые во flash, пропадут.</translation>
+    </message>
+    <message>
+        <source>&amp;Restart</source>
+        <translation>&amp;Перезапустить</translation>
+    </message>
+    <message>
+        <source>Writing: %1…</source>
+        <translation>Запись: %1…</translation>
+    </message>
+    <message>
+        <source>%1; the module has its new network address</source>
+        <translation>%1; у модуля новый сетевой адрес</translation>
+    </message>
+    <message>
+        <source>%1, not done: %2%3</source>
+        <translation>%1 — не выполнено: %2%3</translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation>перезапуск</translation>
+    </message>
+    <message>
+        <source>the module restarts</source>
+        <translation>модуль перезапускается</translation>
+    </message>
+    <message>
+        <source>%1, not done: %2</source>
+        <translation>%1 — не выполнено: %2</translation>
+    </message>
+    <message>
+        <source>The module restarts. Service has ended; it is polled again as soon as it answers.</source>
+        <translation>Модуль перезапускается. Обслуживание окончено; опрос продолжится, как только он ответит.</translation>
+    </message>
+    <message>
+        <source>Open settings</source>
+        <translation>Открыть настройки</translation>
+    </message>
+    <message>
+        <source>%1 is no file of settings. Choose one that this window or gorizont-tool vims has saved.</source>
+        <translation>%1 — не файл настроек. Выберите файл, сохранённый этим окном или gorizont-tool vims.</translation>
+    </message>
+    <message>
+        <source>The form shows the settings of %1. &lt;Write&gt; prepares them in the module.</source>
+        <translation>В окне настройки из %1. &lt;Записать&gt; подготовит их в модуле.</translation>
+    </message>
+    <message>
+        <source>Save the settings</source>
+        <translation>Сохранить настройки</translation>
+    </message>
+    <message>
+        <source>The settings in use are in %1.</source>
+        <translation>Действующие настройки — в %1.</translation>
+    </message>
+    <message>
+        <source>The settings were not saved (%1). Choose another folder.</source>
+        <translation>Настройки не сохранены (%1). Выберите другую папку.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsField</name>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>%1: in use is %2</source>
+        <translation>%1: действует %2</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsForm</name>
+    <message>
+        <source>&amp;Module:</source>
+        <translation>&amp;Модуль:</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Модуль</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Настройки</translation>
+    </message>
+    <message>
+        <source>Rea&amp;d</source>
+        <translation>П&amp;рочитать</translation>
+    </message>
+    <message>
+        <source>Reads all settings again, those in use and those prepared.</source>
+        <translation>Читает все настройки заново, действующие и подготовленные.</translation>
+    </message>
+    <message>
+        <source>&amp;Write…</source>
+        <translation>&amp;Записать…</translation>
+    </message>
+    <message>
+        <source>Prepares what was changed here (MUT). The module does not use it yet.</source>
+        <translation>Подготавливает изменённое здесь (MUT). Модуль этим ещё не пользуется.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply…</source>
+        <translation>&amp;Применить…</translation>
+    </message>
+    <message>
+        <source>The module uses the prepared settings until its next start.</source>
+        <translation>Модуль пользуется подготовленными настройками до следующего запуска.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep in flash…</source>
+        <translation>&amp;Сохранить во flash…</translation>
+    </message>
+    <message>
+        <source>The module starts with the prepared settings from now on.</source>
+        <translation>Дальше модуль запускается с подготовленными настройками.</translation>
+    </message>
+    <message>
+        <source>&amp;From a file…</source>
+        <translation>&amp;Из файла…</translation>
+    </message>
+    <message>
+        <source>Fills the form from a backup. Nothing is written yet.</source>
+        <translation>Заполняет окно из копии. Ничего ещё не пишется.</translation>
+    </message>
+    <message>
+        <source>To a fi&amp;le…</source>
+        <translation>В &amp;файл…</translation>
+    </message>
+    <message>
+        <source>Keeps the settings in use as a backup.</source>
+        <translation>Сохраняет действующие настройки как копию.</translation>
+    </message>
+    <message>
+        <source>Re&amp;load from flash…</source>
+        <translation>&amp;Вернуть из flash…</translation>
+    </message>
+    <message>
+        <source>The module uses the settings of its flash again; what was only applied is lost.</source>
+        <translation>Модуль снова пользуется настройками из flash; только применённое пропадает.</translation>
+    </message>
+    <message>
+        <source>Differences (%1)</source>
+        <translation>Различия (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsModulePanel</name>
+    <message>
+        <source>&amp;Restart the module…</source>
+        <translation>Пере&amp;запустить модуль…</translation>
+    </message>
+    <message>
+        <source>About the module</source>
+        <translation>О модуле</translation>
+    </message>
+    <message>
+        <source>Name of the device:</source>
+        <translation>Название устройства:</translation>
+    </message>
+    <message>
+        <source>Serial number:</source>
+        <translation>Серийный номер:</translation>
+    </message>
+    <message>
+        <source>Program:</source>
+        <translation>Прошивка:</translation>
+    </message>
+    <message>
+        <source>Revision of the board:</source>
+        <translation>Ревизия платы:</translation>
+    </message>
+    <message>
+        <source>Mode:</source>
+        <translation>Режим:</translation>
+    </message>
+    <message>
+        <source>Error of the last write (LAST_WR_ERROR):</source>
+        <translation>Ошибка последней записи (LAST_WR_ERROR):</translation>
+    </message>
+    <message>
+        <source>Error of the settings (LAST_CHECK_SETTINGS_ERR):</source>
+        <translation>Ошибка настроек (LAST_CHECK_SETTINGS_ERR):</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsSettingsPanel</name>
+    <message>
+        <source>Module</source>
+        <translation>Модуль</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Имя:</translation>
+    </message>
+    <message>
+        <source>IP address:</source>
+        <translation>Адрес IP:</translation>
+    </message>
+    <message>
+        <source>Mask:</source>
+        <translation>Маска:</translation>
+    </message>
+    <message>
+        <source>Gateway:</source>
+        <translation>Шлюз:</translation>
+    </message>
+    <message>
+        <source>Length of a waveform:</source>
+        <translation>Длина выборки:</translation>
+    </message>
+    <message>
+        <source>Channels that measure:</source>
+        <translation>Каналы с измерениями:</translation>
+    </message>
+    <message>
+        <source>Sensors that are fed:</source>
+        <translation>Питание датчиков:</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Канал %1</translation>
+    </message>
+    <message>
+        <source>Sensor: K, mV/g:</source>
+        <translation>Датчик: K, мВ/g:</translation>
+    </message>
+    <message>
+        <source>B, mV/g:</source>
+        <translation>B, мВ/g:</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Измерение</translation>
+    </message>
+    <message>
+        <source>High-pass, Hz</source>
+        <translation>ФВЧ, Гц</translation>
+    </message>
+    <message>
+        <source>Low-pass, Hz</source>
+        <translation>ФНЧ, Гц</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::VimsText</name>
+    <message>
+        <source>%1, boot loader: it measures nothing</source>
+        <translation>%1, загрузчик: измерений нет</translation>
+    </message>
+    <message>
+        <source>%1, at work</source>
+        <translation>%1, рабочий</translation>
+    </message>
+    <message>
+        <source>0, none</source>
+        <translation>0, нет</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The network settings change: the connection to the module will be lost. Write the new address %1 into Device of [Port%2] in the configuration file and start the program again.</source>
+        <translation>Меняются сетевые настройки: связь с модулем прервётся. Запишите новый адрес %1 в Device секции [Port%2] файла конфигурации и запустите программу снова.</translation>
     </message>
 </context>
 <context>
@@ -9362,30 +10114,6 @@ import-history ПАПКА  переносит текстовые и двоичн
         <translation>О модулях измерения вибрации L-VIMS рассказывает gorizont-tool vims --help.</translation>
     </message>
     <message>
-        <source>JSON, one object a line; what is not known is null:
-  every one   type (L-VIMS), device
-  info        name, serial, firmware, board, mode (1 boot loader, 2 at work), writeError, settingsError
-  state       channels: channel (0…3), state (0 good, 1 short circuit, 2 break, 65535 no data), measurements:
-              index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded; relays:
-              index, logical, physical, error, enabled
-  waveform    channel, id, samples, rate (Hz), disturbances, file
-  spectrum    channel, spectrum (5000, 200), bins, rate (Hz), disturbances, peakFrequency (Hz),
-              peakAmplitude, file
-  settings    setting (settings), done, file; load: writeError, settingsError
-  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
-        <translation>JSON, один объект в строке; неизвестное — null:
-  все         type (L-VIMS), device
-  info        name, serial, firmware, board, mode (1 — загрузчик, 2 — работа), writeError, settingsError
-  state       channels: channel (0…3), state (0 — исправен, 1 — замыкание, 2 — обрыв, 65535 — нет данных),
-              measurements: index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded;
-              relays: index, logical, physical, error, enabled
-  waveform    channel, id, samples, rate (Гц), disturbances, file
-  spectrum    channel, spectrum (5000, 200), bins, rate (Гц), disturbances, peakFrequency (Гц),
-              peakAmplitude, file
-  settings    setting (settings), done, file; load: writeError, settingsError
-  неудача     fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
-    </message>
-    <message>
         <source>vims takes one of %1; see gorizont-tool vims --help</source>
         <translation>vims принимает одно из: %1; см. gorizont-tool vims --help</translation>
     </message>
@@ -9398,24 +10126,8 @@ import-history ПАПКА  переносит текстовые и двоичн
         <translation>--type принимает 5000 или 200, а не «%1»</translation>
     </message>
     <message>
-        <source>vims settings takes --save FILE or --load FILE</source>
-        <translation>vims settings принимает --save ФАЙЛ или --load ФАЙЛ</translation>
-    </message>
-    <message>
         <source>Reads an L-VIMS vibration module over the network; others may read it meanwhile.</source>
         <translation>Читает модуль измерения вибрации L-VIMS по сети; другие могут читать его в то же время.</translation>
-    </message>
-    <message>
-        <source>info       prints what the module is
-state      prints what it measures, and its relays
-waveform   lets it keep a waveform, fetches it and writes it to --out
-spectrum   the same for its spectrum up to 5000 Hz or 200 Hz
-settings   writes its settings to a file, or a file to its settings</source>
-        <translation>info       выводит сведения о модуле
-state      выводит, что он измеряет, и его реле
-waveform   просит его сохранить выборку, забирает её и записывает в --out
-spectrum   то же для его спектра до 5000 Гц или до 200 Гц
-settings   записывает его настройки в файл или файл в его настройки</translation>
     </message>
     <message>
         <source>A .csv has the columns time (s), code and value, or frequency (Hz) and amplitude. A .wav is scaled so that its largest value is 1.</source>
@@ -9456,10 +10168,6 @@ settings   записывает его настройки в файл или ф�
     <message>
         <source>settings: writes this file to the module and lets it use them.</source>
         <translation>settings: записывает этот файл в модуль и применяет.</translation>
-    </message>
-    <message>
-        <source>settings --load: keeps them for the next start of the module too.</source>
-        <translation>settings --load: сохраняет их и для следующих запусков модуля.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9678,6 +10386,112 @@ send-file    передаёт ей файл настройки, например
     <message>
         <source>gorizont-tool mk14 --help tells of МК-14 weather stations.</source>
         <translation>О метеостанциях МК-14 — gorizont-tool mk14 --help.</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what is not known is null:
+  every one   type (L-VIMS), device
+  info        name, serial, firmware, board, mode (1 boot loader, 2 at work), writeError, settingsError
+  state       channels: channel (0…3), state (0 good, 1 short circuit, 2 break, 65535 no data), measurements:
+              index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded; relays:
+              index, logical, physical, error, enabled
+  waveform    channel, id, samples, rate (Hz), disturbances, file
+  spectrum    channel, spectrum (5000, 200), bins, rate (Hz), disturbances, peakFrequency (Hz),
+              peakAmplitude, file
+  settings    setting (settings), done, file; load: writeError, settingsError; show: values (name: value in
+              use), differences: name, current, changed; set, apply, flash: changes: name, before, after;
+              applied, flash, writeError, settingsError
+  reload, reboot  setting, done; reload: writeError, settingsError
+  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, по объекту на строку; чего не знают — null:
+  каждый      type (L-VIMS), device
+  info        name, serial, firmware, board, mode (1 загрузчик, 2 рабочий), writeError, settingsError
+  state       channels: channel (0…3), state (0 исправен, 1 замыкание, 2 обрыв, 65535 нет данных), measurements:
+              index, type, value, percent, fault, warning, stop, baselineValid, baselineExceeded; relays:
+              index, logical, physical, error, enabled
+  waveform    channel, id, samples, rate (Гц), disturbances, file
+  spectrum    channel, spectrum (5000, 200), bins, rate (Гц), disturbances, peakFrequency (Гц),
+              peakAmplitude, file
+  settings    setting (settings), done, file; load: writeError, settingsError; show: values (имя: действующее
+              значение), differences: name, current, changed; set, apply, flash: changes: name, before, after;
+              applied, flash, writeError, settingsError
+  reload, reboot  setting, done; reload: writeError, settingsError
+  неудача     fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>--set takes NAME=VALUE with a name that --show prints, not &quot;%1&quot;</source>
+        <translation>--set принимает ИМЯ=ЗНАЧЕНИЕ с именем, которое печатает --show, а не «%1»</translation>
+    </message>
+    <message>
+        <source>vims settings takes one of --show, --save FILE, --load FILE and --set NAME=VALUE, the last with --apply and --flash, which may stand alone</source>
+        <translation>vims settings принимает одно из --show, --save ФАЙЛ, --load ФАЙЛ и --set ИМЯ=ЗНАЧЕНИЕ, последнее с --apply и --flash, которые могут стоять и одни</translation>
+    </message>
+    <message>
+        <source>info       prints what the module is
+state      prints what it measures, and its relays
+waveform   lets it keep a waveform, fetches it and writes it to --out
+spectrum   the same for its spectrum up to 5000 Hz or 200 Hz
+settings   shows its settings, changes single ones, or writes them to a file and back
+reload     lets it use the settings of its flash again
+reboot     restarts it</source>
+        <translation>info       печатает, что это за модуль
+state      печатает, что он измеряет, и его реле
+waveform   фиксирует выборку, читает её и пишет в --out
+spectrum   то же для спектра до 5000 Гц или 200 Гц
+settings   показывает настройки, меняет отдельные или пишет их в файл и обратно
+reload     возвращает модуль к настройкам из flash
+reboot     перезапускает его</translation>
+    </message>
+    <message>
+        <source>settings: prints those in use, and those prepared where they differ.</source>
+        <translation>settings: печатает действующие и, где они отличаются, подготовленные.</translation>
+    </message>
+    <message>
+        <source>settings: prepares one, such as CH1.SENSOR_K=100 or CH0.MEAS3.IIR_LP.FC=200.5; may be repeated.</source>
+        <translation>settings: подготавливает одну, например CH1.SENSOR_K=100 или CH0.MEAS3.IIR_LP.FC=200.5; можно повторять.</translation>
+    </message>
+    <message>
+        <source>settings: lets the module use those prepared.</source>
+        <translation>settings: модуль начинает пользоваться подготовленными.</translation>
+    </message>
+    <message>
+        <source>settings: keeps them for the next start of the module too.</source>
+        <translation>settings: сохраняет их и для следующего запуска модуля.</translation>
+    </message>
+    <message>
+        <source>Prepared and not in use (value in use → value prepared):</source>
+        <translation>Подготовлено и не действует (действующее → подготовленное):</translation>
+    </message>
+    <message>
+        <source>The network address of the module changes: this connection will be lost.</source>
+        <translation>Сетевой адрес модуля меняется: эта связь прервётся.</translation>
+    </message>
+    <message>
+        <source>The module keeps its prepared settings for its next start.</source>
+        <translation>Модуль сохранит подготовленные настройки для следующего запуска.</translation>
+    </message>
+    <message>
+        <source>Write them?</source>
+        <translation>Записать?</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Готово.</translation>
+    </message>
+    <message>
+        <source>The module uses the settings of its flash from now on; what was only applied is lost. Go on?</source>
+        <translation>Модуль перейдёт на настройки из flash; только применённое пропадёт. Продолжить?</translation>
+    </message>
+    <message>
+        <source>The module uses the settings of its flash.</source>
+        <translation>Модуль пользуется настройками из flash.</translation>
+    </message>
+    <message>
+        <source>The module restarts; it measures nothing and switches no relay meanwhile. Go on?</source>
+        <translation>Модуль перезапустится; в это время он не измеряет и не переключает реле. Продолжить?</translation>
+    </message>
+    <message>
+        <source>The module restarts.</source>
+        <translation>Модуль перезапускается.</translation>
     </message>
 </context>
 </TS>

@@ -103,7 +103,10 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
         site.reading.complaints);
     window.offerService(
         [&application](int port) { return application.worker(port); }, application.journal(), application.recordSink());
-    addWindowPages(window, {application.registry(), application.archive(), site.reading.config, site.dataFolder});
+    addWindowPages(
+        window,
+        {application.registry(), application.archive(), site.reading.config, site.dataFolder,
+         [&application](int port) { return application.worker(port); }});
     const TrayIcon tray(window, application.registry(), application.alarms());
     QObject::connect(&window, &MainWindow::retryRequested, &application, &Application::retryLines);
     QObject::connect(&application, &Application::measurementWritten, &window, &MainWindow::appendMeasurement);

@@ -10,6 +10,7 @@
 #include "ui/plots/trendspage.h"
 #include "ui/plots/waveformpage.h"
 #include "ui/plots/xypage.h"
+#include "ui/vibration/vibrationpage.h"
 #include "ui/weather/weatherpage.h"
 
 #include <QCoreApplication>
@@ -25,6 +26,13 @@ bool anySensor(const SensorRegistry &registry, bool SensorConfig::*measures)
 {
     return std::ranges::any_of(registry.sensors(), [measures](const SensorRegistry::Sensor &sensor) {
         return sensor.config.*measures;
+    });
+}
+
+bool hasVibration(const SensorRegistry &registry)
+{
+    return std::ranges::any_of(registry.sensors(), [](const SensorRegistry::Sensor &sensor) {
+        return sensor.config.type == SensorType::LVims;
     });
 }
 
@@ -58,6 +66,11 @@ void addWindowPages(MainWindow &window, const PageSources &sources)
         window.addWidePage(
             new WaveformPage(sources.registry, series), title(QT_TRANSLATE_NOOP("WindowPages", "Oscillations")),
             QKeySequence(Qt::Key_F12));
+    }
+    if (hasVibration(sources.registry)) {
+        window.addWidePage(
+            new VibrationPage(sources.registry, sources.worker, sources.config.timing),
+            title(QT_TRANSLATE_NOOP("WindowPages", "Vibration")), QKeySequence(Qt::Key_F11));
     }
     if (!sources.registry.chains().isEmpty()) {
         const QString zeros = QDir(sources.dataFolder).filePath(QStringLiteral("Zero"));

@@ -2,9 +2,12 @@
 
 #include <QString>
 
+#include <functional>
+
 namespace gorizont {
 
 class ArchiveReader;
+class LineWorker;
 class MainWindow;
 class SensorRegistry;
 struct ServerConfig;
@@ -16,10 +19,12 @@ struct PageSources
     ArchiveReader &archive;
     const ServerConfig &config;
     QString dataFolder;
+    std::function<LineWorker *(int port)> worker; ///< of section [Port{port}]; null when that port is off
 };
 
 /// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration,
-/// <Перемещения> where the site has chains, and <Погода> where it has a weather station. F5 asks the archive again. All sources outlive the window.
+/// <Вибрация> where there is an L-VIMS, <Перемещения> where the site has chains, and <Погода> where it has a weather station.
+/// F5 asks the archive again. All sources outlive the window.
 void addWindowPages(MainWindow &window, const PageSources &sources);
 
 } // namespace gorizont

@@ -15,6 +15,7 @@ QList<double> coefficients(SpectrumWindow window)
     case SpectrumWindow::Rectangular: break;
     case SpectrumWindow::Hann: return {0.5, 0.5};
     case SpectrumWindow::Hamming: return {0.54, 0.46};
+    case SpectrumWindow::Blackman: return {0.42, 0.5, 0.08};
     case SpectrumWindow::BlackmanHarris: return {0.35875, 0.48829, 0.14128, 0.01168}; // Harris 1978, four terms
     }
     return {1};

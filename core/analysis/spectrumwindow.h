@@ -6,7 +6,7 @@ namespace gorizont {
 
 /// By what a segment is multiplied before its transform. All are sums of cosines in their periodic form,
 /// w[n] = Σ (−1)ʲ aⱼ cos(2πjn/N).
-enum class SpectrumWindow : quint8 { Rectangular, Hann, Hamming, BlackmanHarris };
+enum class SpectrumWindow : quint8 { Rectangular, Hann, Hamming, BlackmanHarris, Blackman };
 
 /// The \a length weights of \a window, 0 ≤ w ≤ 1.
 QList<double> windowWeights(SpectrumWindow window, qsizetype length);

@@ -10,6 +10,9 @@ namespace gorizont {
 
 enum class CaptureKind : quint8 { Waveform, Spectrum5000, Spectrum200 };
 
+/// What ADC codes are told in.
+enum class CodeUnit : quint8 { Physical, Volts };
+
 /// What a module says of a waveform or a spectrum that it keeps.
 struct CaptureInformation
 {
@@ -27,6 +30,9 @@ struct CaptureInformation
 
     double volts(qint32 code) const { return voltsK * code + voltsB; }
     double physical(qint32 code) const { return physicalK * code + physicalB; }
+    /// What a code is multiplied with.
+    double scale(CodeUnit unit) const { return unit == CodeUnit::Volts ? voltsK : physicalK; }
+    double value(qint32 code, CodeUnit unit) const { return unit == CodeUnit::Volts ? volts(code) : physical(code); }
     double time(qsizetype sample) const { return static_cast<double>(sample) / rate; } ///< s since the first one
     bool operator==(const CaptureInformation &) const = default;
 };
@@ -34,12 +40,14 @@ struct CaptureInformation
 struct SpectrumBin
 {
     double frequency = 0; ///< Hz
-    double amplitude = 0; ///< of a tone of this frequency, in the physical quantity
+    double amplitude = 0; ///< of a tone of this frequency
+    double density = 0; ///< of power, the square of the unit a Hz; 0: the module does not say what its window does
     bool operator==(const SpectrumBin &) const = default;
 };
 
-/// A spectrum in physical units (spec/l-vims.md, 5). \a codes: real and imaginary in turns.
-QList<SpectrumBin> spectrumOf(const CaptureInformation &information, const QList<qint32> &codes);
+/// A spectrum in physical units or volts (spec/l-vims.md, 5). \a codes: real and imaginary in turns.
+QList<SpectrumBin> spectrumOf(
+    const CaptureInformation &information, const QList<qint32> &codes, CodeUnit unit = CodeUnit::Physical);
 
 /// A waveform or a spectrum that a driver has fetched whole. Copies share the codes.
 struct CapturedSignal

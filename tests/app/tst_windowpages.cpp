@@ -71,6 +71,12 @@ void TestWindowPages::init()
     m_folder = std::make_unique<QTemporaryDir>();
     m_config = test::sampleConfig();
     m_config.archive.isOn = true;
+    SensorConfig vibration;
+    vibration.port = m_config.lines.first().index;
+    vibration.number = 99;
+    vibration.index = 99;
+    vibration.type = SensorType::LVims;
+    m_config.lines.first().sensors.append(vibration);
     m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
     m_registry->setChains({{7, u"Колонна"_s, {{2, 2.0}, {3, 1.0}}}});
     m_alarms = std::make_unique<AlarmWatch>(*m_registry);
@@ -91,7 +97,7 @@ void TestWindowPages::cleanup()
 void TestWindowPages::open()
 {
     m_window = std::make_unique<MainWindow>(*m_registry, m_journal, *m_alarms, m_config, QList<Complaint>());
-    addWindowPages(*m_window, {*m_registry, *m_archive, m_config, m_folder->path()});
+    addWindowPages(*m_window, {*m_registry, *m_archive, m_config, m_folder->path(), {}});
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -105,6 +111,7 @@ void TestWindowPages::everyPageHasANameAndAKey_data()
     QTest::newRow("history") << Qt::Key_F7 << u"historyPage"_s;
     QTest::newRow("displacement") << Qt::Key_F8 << u"displacementPage"_s;
     QTest::newRow("hodograph") << Qt::Key_F9 << u"xyPage"_s;
+    QTest::newRow("vibration") << Qt::Key_F11 << u"vibrationPage"_s;
     QTest::newRow("oscillations") << Qt::Key_F12 << u"waveformPage"_s;
 }
 

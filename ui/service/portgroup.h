@@ -4,6 +4,7 @@
 
 #include <QGroupBox>
 
+class QHBoxLayout;
 class QPushButton;
 
 namespace gorizont {
@@ -24,6 +25,8 @@ Q_SIGNALS:
     void toggleWanted();
 
 private:
+    void addSerial(const LineConfig &line, QHBoxLayout &layout);
+
     QPushButton *m_button;
 };
 

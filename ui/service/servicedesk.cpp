@@ -5,6 +5,7 @@
 #include "ui/service/mk14dialog.h"
 #include "ui/service/servicetext.h"
 #include "ui/service/usmdialog.h"
+#include "ui/service/vimsdialog.h"
 
 #include <QAction>
 #include <QMenu>
@@ -17,13 +18,15 @@ namespace gorizont {
 
 namespace {
 
-constexpr std::array serviced{SensorType::InD, SensorType::AnD3, SensorType::UsmIsn, SensorType::Mk14};
+constexpr std::array serviced{
+    SensorType::InD, SensorType::AnD3, SensorType::UsmIsn, SensorType::LVims, SensorType::Mk14};
 
 QString objectNameOf(SensorType type)
 {
     switch (type) {
     case SensorType::InD: return QStringLiteral("serviceInD3");
     case SensorType::UsmIsn: return QStringLiteral("serviceUsm");
+    case SensorType::LVims: return QStringLiteral("serviceLVims");
     case SensorType::Mk14: return QStringLiteral("serviceMk14");
     default: break;
     }
@@ -35,6 +38,7 @@ ServiceDialog *makeDialog(SensorType type, const ServicePort &port, QWidget *win
     switch (type) {
     case SensorType::InD: return new Ind3Dialog(port, window);
     case SensorType::UsmIsn: return new UsmDialog(port, window);
+    case SensorType::LVims: return new VimsDialog(port, window);
     case SensorType::Mk14: return new Mk14Dialog(port, window);
     default: break;
     }

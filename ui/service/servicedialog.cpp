@@ -50,7 +50,7 @@ void ServiceDialog::start()
 {
     m_isEntering = false;
     m_liveTimer->start();
-    startScan();
+    findSensors();
 }
 
 /// Polling goes on. The session lives until the event loop comes round, because this may be an answer of its own.
@@ -93,12 +93,17 @@ void ServiceDialog::togglePort()
         return;
     }
     confirm(unfinished(true), tr("&Leave"), [this] {
-        endSession();
-        m_address = 0;
-        m_addresses->clear();
-        showSensor();
-        say(tr("Service has ended, the sensors of the port are polled again."));
+        leavePort(tr("Service has ended, the sensors of the port are polled again."));
     });
+}
+
+void ServiceDialog::leavePort(const QString &text)
+{
+    endSession();
+    m_address = 0;
+    m_addresses->clear();
+    showSensor();
+    say(text);
 }
 
 void ServiceDialog::startScan(int preferred)
@@ -225,9 +230,10 @@ void ServiceDialog::showMessage()
 
 void ServiceDialog::note(JournalKind kind, int address, const QString &text)
 {
-    const QString whole =
-        tr("%1, %2 address %3: %4")
-            .arg(m_port.line.title(), servicetext::deviceName(m_type), QString::number(address), text);
+    const QString device = servicetext::deviceName(m_type);
+    const QString whole = servicetext::hasAddresses(m_type)
+        ? tr("%1, %2 address %3: %4").arg(m_port.line.title(), device, QString::number(address), text)
+        : tr("%1, %2: %3").arg(m_port.line.title(), device, text);
     m_port.journal.append(
         {kind, utcNow(), whole, m_port.line.index, servicetext::numberAt(m_port.line, m_type, address)});
 }

@@ -55,6 +55,8 @@ protected:
     /// \a tabOrder: from the first group down to the scan.
     void setUp(QWidget *groups, const QWidgetList &tabOrder, QPushButton *besideExit = nullptr);
 
+    /// The port is in service: looks for its sensors, by a scan if a device has no better way.
+    virtual void findSensors() { startScan(); }
     virtual ScanPanel::Probe probe() const = 0;
     /// Reads the sensor address() and shows it; none is to be shown if that is 0.
     virtual void showSensor() = 0;
@@ -90,6 +92,8 @@ protected:
     void endWork(bool isGood = true);
     /// The sensor that is shown has moved.
     void moveTo(int newAddress);
+    /// Polling goes on while the window stays. \a text: why.
+    void leavePort(const QString &text);
     /// A sensor that was found in another way than by a scan is shown.
     void showFoundAt(int address);
 

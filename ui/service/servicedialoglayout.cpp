@@ -123,6 +123,7 @@ void ServiceDialog::confirm(const QString &question, const QString &yes, const A
     }
     m_question = new QMessageBox(QMessageBox::Question, windowTitle(), question, QMessageBox::NoButton, this);
     m_question->setObjectName(QStringLiteral("serviceQuestion"));
+    m_question->setTextFormat(Qt::PlainText); // names of devices stand in it
     m_question->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton *goButton = m_question->addButton(yes, QMessageBox::DestructiveRole);
     goButton->setObjectName(QStringLiteral("questionGo"));

@@ -34,10 +34,16 @@ QString deviceName(SensorType type)
     switch (type) {
     case SensorType::AnD3: return modelInRussian(QStringLiteral("AN-D3"));
     case SensorType::UsmIsn: return modelInRussian(QStringLiteral("USM-ISN"));
+    case SensorType::LVims: return QStringLiteral("L-VIMS");
     case SensorType::Mk14: return modelInRussian(QStringLiteral("MK-14"));
     default: break;
     }
     return modelInRussian(QStringLiteral("IN-D3"));
+}
+
+bool hasAddresses(SensorType type)
+{
+    return type != SensorType::LVims;
 }
 
 QString menuTitle(SensorType type, const QString &port)
@@ -45,6 +51,10 @@ QString menuTitle(SensorType type, const QString &port)
     if (type == SensorType::Mk14) {
         return port.isEmpty() ? ServiceText::tr("Settings of the weather station %1").arg(deviceName(type))
                               : ServiceText::tr("Settings of the weather station %1 on %2").arg(deviceName(type), port);
+    }
+    if (type == SensorType::LVims) {
+        return port.isEmpty() ? ServiceText::tr("Settings of the module L-VIMS")
+                              : ServiceText::tr("Settings of the module L-VIMS on %1").arg(port);
     }
     return port.isEmpty() ? ServiceText::tr("Settings of %1 sensors").arg(deviceName(type))
                           : ServiceText::tr("Settings of %1 sensors on %2").arg(deviceName(type), port);
@@ -71,7 +81,7 @@ QString iniReminder(const LineConfig &line, SensorType type, int from, int to)
 int numberAt(const LineConfig &line, SensorType type, int address)
 {
     for (const SensorConfig &sensor : line.sensors) {
-        if (sensor.type == type && sensor.address == address) {
+        if (sensor.type == type && (hasAddresses(type) ? sensor.address : sensor.index) == address) {
             return sensor.number;
         }
     }

@@ -19,6 +19,9 @@ QString menuTitle(
 /// Which key of the ini has to follow a sensor that moved from address \a from to \a to, or that there is none.
 QString iniReminder(const LineConfig &line, SensorType type, int from, int to);
 
+/// Whether devices of \a type are found by addresses on the line; those of the others are their places {i} in the ini.
+bool hasAddresses(SensorType type);
+
 /// N of the sensor of \a type that the ini has at \a address, whether it is on or off; 0: none.
 int numberAt(const LineConfig &line, SensorType type, int address);
 

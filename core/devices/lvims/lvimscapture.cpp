@@ -129,7 +129,8 @@ Result<void> Capture::wait(Line &line, SteadyTime now)
         m_phase = Phase::Inform;
         return {};
     }
-    return now > m_deadline ? Result<void>(Fault::Timeout) : Result<void>();
+    m_isLate = now > m_deadline;
+    return m_isLate ? Result<void>(Fault::Timeout) : Result<void>();
 }
 
 QList<quint16> Capture::selection(quint32 offset) const

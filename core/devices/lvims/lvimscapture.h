@@ -6,6 +6,7 @@
 namespace gorizont::lvims {
 
 using gorizont::CaptureInformation;
+using gorizont::CodeUnit;
 using gorizont::SpectrumBin;
 using gorizont::spectrumOf;
 
@@ -26,6 +27,8 @@ public:
     bool isDone() const { return m_phase == Phase::Done; }
     std::chrono::milliseconds pause() const; ///< before the next step
     int disturbances() const { return m_disturbances; } ///< attempts that another client, or an exception, has spoilt
+    bool isLate() const { return m_isLate; } ///< it timed out because the module answers and keeps no waveform
+    int exception() const { return m_link.exception(); } ///< of Modbus, in the last step; 0: none
 
     /// Both are whole when isDone().
     const CaptureInformation &information() const { return m_information; }
@@ -59,6 +62,7 @@ private:
     std::chrono::milliseconds m_length{0}; ///< WF_ACQ_TIME
     SteadyTime m_deadline{};
     int m_disturbances = 0;
+    bool m_isLate = false;
     CaptureInformation m_information;
     QList<qint32> m_codes;
 };

@@ -1,6 +1,7 @@
 #include "core/devices/lvims/lvimsservice.h"
 
 #include "core/devices/attempts.h"
+#include "core/devices/lvims/lvimsdriver.h"
 
 #include <thread>
 
@@ -19,6 +20,11 @@ const QList<quint16> restartModule{0x424F, 0x4F53, 0x5245, 0x5354};
 Service::Service(const Address &address, const Timing &timing)
     : m_link(address, timing, firstTransaction)
 {
+}
+
+Service Service::of(const SensorConfig &sensor, const Timing &timing)
+{
+    return {Options::from(sensor).address, timing};
 }
 
 Result<Words> Service::read(Line &line, const Range &range)

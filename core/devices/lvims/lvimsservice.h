@@ -3,6 +3,7 @@
 #include "core/devices/lvims/lvimscapture.h"
 #include "core/devices/lvims/lvimssettings.h"
 #include "core/devices/lvims/lvimssettingsfile.h"
+#include "core/values/sensorconfig.h"
 
 namespace gorizont::lvims {
 
@@ -12,6 +13,8 @@ class Service
 {
 public:
     Service(const Address &address, const Timing &timing);
+    /// Of the module that \a sensor is in the ini: by its options.
+    static Service of(const SensorConfig &sensor, const Timing &timing);
 
     Result<Identity> identity(Line &line);
     /// All channels and relays. \a fullScale: the code of 100 %, empty: it is not known.

@@ -10,6 +10,7 @@ namespace {
 constexpr int cur = moduleRegister("CUR_SETTINGS").address;
 constexpr int mut = moduleRegister("MUT_SETTINGS").address;
 constexpr int acquisition = settingRegister("WF_ACQ_TIME").address;
+constexpr quint16 noData = 0xFFFF; ///< CH_STATUS
 constexpr double fullScaleCode = 10000; ///< of 100 %
 constexpr double fullScales[] = {20000, 100, 1000}; ///< of the first three measurements: mm/s², mm/s, µm
 
@@ -184,7 +185,7 @@ void SimulatedModule::finishCapture(Time now)
     for (int i = 0; i < channelCount; ++i) {
         Channel &channel = m_channels[static_cast<std::size_t>(i)];
         channel.waveform.clear();
-        for (int s = 0; s < size; ++s) {
+        for (int s = 0; s < size && channel.status != noData; ++s) {
             const double at = secondsOf(now) - (size - s) / waveformRate;
             channel.waveform.append(codeOf(channel.signal.acceleration(at) / mmOfCode));
         }

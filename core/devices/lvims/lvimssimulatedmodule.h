@@ -27,7 +27,7 @@ public:
     bool takeRestart() { return std::exchange(m_hasRestarted, false); }
 
     void setTones(int channel, const QList<Tone> &tones);
-    void setChannelStatus(int channel, quint16 status); ///< CH_STATUS, from the next update on
+    void setChannelStatus(int channel, quint16 status); ///< CH_STATUS, from the next update on; FFFFh: its waveforms are empty
     void setUpdatePeriod(Time period) { m_updatePeriod = period; } ///< of CH_STATE; 0: nothing changes by itself
     void setCaptureTime(std::optional<Time> time) { m_captureTime = time; } ///< empty: as long as the waveform is
     void setMode(quint16 mode) { poke(moduleRegister("DEVMODE").address, mode); }

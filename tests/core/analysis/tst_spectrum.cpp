@@ -133,6 +133,7 @@ private Q_SLOTS:
         QTest::newRow("Hann") << SpectrumWindow::Hann;
         QTest::newRow("Hamming") << SpectrumWindow::Hamming;
         QTest::newRow("Blackman-Harris") << SpectrumWindow::BlackmanHarris;
+        QTest::newRow("Blackman") << SpectrumWindow::Blackman;
     }
 
     void sineOnALine_data() { allWindows_data(); }
@@ -220,6 +221,7 @@ private Q_SLOTS:
         QTest::newRow("Hann") << SpectrumWindow::Hann << 0.50 << 1.50 << 1.42;
         QTest::newRow("Hamming") << SpectrumWindow::Hamming << 0.54 << 1.36 << 1.78;
         QTest::newRow("Blackman-Harris") << SpectrumWindow::BlackmanHarris << 0.36 << 2.00 << 0.83;
+        QTest::newRow("Blackman") << SpectrumWindow::Blackman << 0.42 << 1.73 << 1.10;
     }
     void windowFigures()
     {

@@ -238,8 +238,13 @@ private Q_SLOTS:
         information.physicalK = 0.5;
         information.physicalB = 100; // does not apply
         information.windowSum = 2;
-        const auto bins = spectrumOf(information, {10, 0, 3, -4});
-        QCOMPARE(bins, (QList<SpectrumBin>{{0, 2.5}, {2, 2.5}}));
+        QCOMPARE(spectrumOf(information, {10, 0, 3, -4}), (QList<SpectrumBin>{{0, 2.5, 0}, {2, 2.5, 0}}));
+        information.windowSum2 = 4; // (0.5·10)² / (8·4); 2·(0.5·5)² / (8·4)
+        information.voltsK = -2; // a sign turns the phase only: 2·10/2, 2·2·5/2; (2·10)²/32, 2·(2·5)²/32
+        QCOMPARE(spectrumOf(information, {10, 0, 3, -4}), (QList<SpectrumBin>{{0, 2.5, 0.78125}, {2, 2.5, 0.390625}}));
+        QCOMPARE(
+            spectrumOf(information, {10, 0, 3, -4}, CodeUnit::Volts),
+            (QList<SpectrumBin>{{0, 10, 12.5}, {2, 10, 6.25}}));
     }
 
     /// The bytes, typed from the manual: 5651h to A000h; channel 1, type 1, from 9200h, information from 9300h.
@@ -263,6 +268,71 @@ private Q_SLOTS:
         QCOMPARE(capture.codes(), (QList<qint32>{10, 0, -3, 65536}));
         QCOMPARE(capture.information().rate, 512.0);
         QCOMPARE(capture.information().windowSum2, 1.0);
+    }
+
+    /// The whole way of a waveform of two samples: WF_ACQ_TIME from B072h, 5649h to A000h, the information with function 23 and
+    /// 124 registers from 9100h, the samples from 9000h; channel 2, ID 8.
+    void whatIsAskedForAWaveform()
+    {
+        const auto status = [](char id, char ready) {
+            QByteArray registers(60, '\0');
+            registers[2 * (4 + 2) + 1] = id;
+            registers[2 * (8 + 2) + 1] = ready;
+            return hex("03 3C") + registers;
+        };
+        const QByteArray select = hex("90 00 00 04 08 00 02 00 08 00 00 00 00");
+        QByteArray information =
+            hex("00 02 00 08 00 02 00 00 00 00 46 C8 00 00 3F 00 00 00 3F 80 00 00 40 00 00 00 BF 80");
+        information += QByteArray(248 - information.size(), '\0');
+        information[2 * 36 + 1] = 2; // CH_STATUS: a break
+        FakeLine line;
+        line.expect(frame(1, hex("03 04 00 00 1E")), frame(1, status(7, 1)))
+            .expect(frame(2, hex("03 B0 72 00 01")), frame(2, hex("03 02 01 F4")))
+            .expect(frame(3, hex("10 A0 00 00 01 02 56 49")), frame(3, hex("10 A0 00 00 01")))
+            .expect(frame(4, hex("03 04 00 00 1E")), frame(4, status(7, 0)))
+            .expect(frame(5, hex("03 04 00 00 1E")), frame(5, status(8, 1)))
+            .expect(frame(6, hex("17 91 00 00 7C") + select), frame(6, hex("17 F8") + information))
+            .expectInPieces(
+                frame(7, hex("17 90 00 00 08") + select),
+                frame(7, hex("17 10 00 02 00 08 00 00 00 00 FF FE FF FF 00 05 00 00")), 3);
+        Capture capture = Service({}, {}).capture(wave, 2);
+        for (int i = 0; i < 6; ++i) {
+            QVERIFY(!capture.isDone());
+            QVERIFY(capture.step(line, SteadyTime(1h)));
+        }
+        QCOMPARE(line.complaints(), QByteArrayList());
+        QVERIFY(line.isDone() && capture.isDone());
+        QCOMPARE(capture.codes(), (QList<qint32>{-2, 5}));
+        const CaptureInformation &told = capture.information();
+        QCOMPARE(told.rate, 25600.0);
+        QCOMPARE(told.volts(-2), 0.0); // 0.5·x + 1
+        QCOMPARE(told.physical(5), 9.0); // 2·x − 1
+        QCOMPARE(told.state->state, ChannelState::Break);
+    }
+
+    /// The connection is lost in the middle.
+    void aDisconnect()
+    {
+        FakeLine line;
+        line.expect(frame(1, hex("10 A0 00 00 01 02 56 51")), frame(1, hex("10 A0 00 00 01")))
+            .vanishAfter(frame(2, hex("17 93 00 00 12 92 00 00 04 08 00 01 00 01 00 00 00 00")));
+        Capture capture = Service({}, {}).capture(Capture::Kind::Spectrum200, 1);
+        QVERIFY(capture.step(line, SteadyTime(1h)));
+        QVERIFY(capture.step(line, SteadyTime(1h)));
+        QCOMPARE(capture.step(line, SteadyTime(1h)).fault(), Fault::Closed);
+        QVERIFY(!capture.isDone());
+    }
+
+    /// Nothing has arrived on the channel yet: a waveform of no samples.
+    void aChannelWithoutData()
+    {
+        Bench bench;
+        bench.line.module().setChannelStatus(1, 0xFFFF);
+        Capture capture = bench.service.capture(wave, 1);
+        QCOMPARE(bench.finish(capture).fault(), Fault::BadReply);
+        QCOMPARE(capture.information().rate, 25600.0);
+        QCOMPARE(capture.information().size, 0U);
+        QCOMPARE(capture.disturbances(), 0);
     }
 
     /// Another client moved the selection between our write and our read: the echo shows it.
@@ -298,7 +368,9 @@ private Q_SLOTS:
         QCOMPARE(capture.disturbances(), 1);
         QCOMPARE(capture.codes().size(), 12800);
         bench.line.module().refuse(4, 0, 1000);
-        QCOMPARE(bench.run(wave, 0).fault(), Fault::Refused);
+        Capture refused = bench.service.capture(wave, 0);
+        QCOMPARE(bench.finish(refused).fault(), Fault::Refused);
+        QCOMPARE(refused.exception(), 4);
     }
 
     /// Another client lets the module keep another waveform: ours is gone, the new one is taken.
@@ -320,7 +392,9 @@ private Q_SLOTS:
         QVERIFY(bench.run(wave, 0));
         bench.line.module().setCaptureTime(2100ms); // beyond 2 · 500 ms + 1 s
         const auto started = bench.line.elapsed();
-        QCOMPARE(bench.run(wave, 0).fault(), Fault::Timeout);
+        Capture late = bench.service.capture(wave, 0);
+        QCOMPARE(bench.finish(late).fault(), Fault::Timeout);
+        QVERIFY(late.isLate());
         QVERIFY(bench.line.elapsed() - started < 2100ms);
     }
 
@@ -337,7 +411,9 @@ private Q_SLOTS:
     {
         Bench bench;
         bench.line.setSilent(true);
-        QCOMPARE(bench.run(wave, 0).fault(), Fault::Timeout);
+        Capture silent = bench.service.capture(wave, 0);
+        QCOMPARE(bench.finish(silent).fault(), Fault::Timeout);
+        QVERIFY(!silent.isLate());
         QCOMPARE(bench.service.identity(bench.line).fault(), Fault::Timeout);
     }
 
