@@ -68,7 +68,7 @@ void addWindowPages(MainWindow &window, const PageSources &sources)
     if (WeatherPage::hasStation(sources.registry)) {
         window.addWidePage(
             new WeatherPage(sources.registry), title(QT_TRANSLATE_NOOP("WindowPages", "Weather")),
-            QKeySequence(Qt::Key_F11));
+            QKeySequence(Qt::Key_F3));
     }
 }
 

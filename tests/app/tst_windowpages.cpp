@@ -1,7 +1,7 @@
 #include "app/server/windowpages.h"
 #include "core/alarms/alarmwatch.h"
 #include "core/archive/archivereader.h"
-#include "tests/ui/samplesite.h"
+#include "tests/ui/weathersite.h"
 #include "ui/history/daycalendar.h"
 #include "ui/mainwindow.h"
 #include "ui/pages/columnlayout.h"
@@ -69,7 +69,7 @@ private:
 void TestWindowPages::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
-    m_config = test::sampleConfig();
+    m_config = test::weatherConfig();
     m_config.archive.isOn = true;
     m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
     m_registry->setChains({{7, u"Колонна"_s, {{2, 2.0}, {3, 1.0}}}});
@@ -105,6 +105,7 @@ void TestWindowPages::everyPageHasANameAndAKey_data()
     QTest::newRow("history") << Qt::Key_F7 << u"historyPage"_s;
     QTest::newRow("displacement") << Qt::Key_F8 << u"displacementPage"_s;
     QTest::newRow("hodograph") << Qt::Key_F9 << u"xyPage"_s;
+    QTest::newRow("weather") << Qt::Key_F3 << u"weatherPage"_s;
     QTest::newRow("oscillations") << Qt::Key_F12 << u"waveformPage"_s;
 }
 
