@@ -17,9 +17,9 @@ namespace {
 int pipeEnds[2] = {-1, -1};
 
 /// Only a write is allowed here; the rest happens in the event loop.
-extern "C" void onSignal(int)
+extern "C" void onSignal(int number)
 {
-    const char byte = 1;
+    const char byte = static_cast<char>(number);
     [[maybe_unused]] const auto written = ::write(pipeEnds[0], &byte, sizeof byte);
 }
 
@@ -35,7 +35,11 @@ UnixSignals::UnixSignals(QObject *parent)
     connect(m_notifier, &QSocketNotifier::activated, this, [this] {
         char byte = 0;
         [[maybe_unused]] const auto got = ::read(pipeEnds[1], &byte, sizeof byte);
-        Q_EMIT terminated();
+        if (byte == SIGHUP) {
+            Q_EMIT hungUp();
+        } else {
+            Q_EMIT terminated();
+        }
     });
     struct sigaction action = {};
     action.sa_handler = onSignal;
@@ -48,8 +52,17 @@ UnixSignals::UnixSignals(QObject *parent)
     sigaction(SIGPIPE, &ignore, nullptr);
 }
 
+void UnixSignals::catchHangup()
+{
+    struct sigaction action = {};
+    action.sa_handler = onSignal;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGHUP, &action, nullptr);
+}
+
 UnixSignals::~UnixSignals()
 {
+    std::signal(SIGHUP, SIG_DFL);
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     for (int &end : pipeEnds) {
@@ -66,6 +79,8 @@ UnixSignals::UnixSignals(QObject *parent)
 }
 
 UnixSignals::~UnixSignals() = default;
+
+void UnixSignals::catchHangup() {}
 
 #endif
 

@@ -29,6 +29,7 @@ ROOMS = {
     "core/mqtt": ["core/values", "core/files", "core/config", "core/registry"],
     "core/metrics": ["core/values", "core/config", "core/registry"],
     "core/export": ["core/values"],
+    "core/station": ["core/values", "core/files", "core/protocol", "core/line"],
     "core/simulation": [
         "core/values", "core/protocol/mbap.h", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h",
     ],

@@ -2706,6 +2706,469 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>Station</name>
+    <message>
+        <source>seconds of a current value</source>
+        <translation>секунд в мгновенном значении</translation>
+    </message>
+    <message>
+        <source>gate, s</source>
+        <translation>ворота, с</translation>
+    </message>
+    <message>
+        <source>test mode</source>
+        <translation>тестовый режим</translation>
+    </message>
+    <message>
+        <source>current value</source>
+        <translation>текущее значение</translation>
+    </message>
+    <message>
+        <source>analogue inputs</source>
+        <translation>аналоговые входы</translation>
+    </message>
+    <message>
+        <source>digital inputs</source>
+        <translation>цифровые входы</translation>
+    </message>
+    <message>
+        <source>order of processing</source>
+        <translation>порядок обработки</translation>
+    </message>
+    <message>
+        <source>period of the timer, µs</source>
+        <translation>период таймера, мкс</translation>
+    </message>
+    <message>
+        <source>averaging in the board</source>
+        <translation>осреднение в плате</translation>
+    </message>
+    <message>
+        <source>first divider</source>
+        <translation>первый делитель</translation>
+    </message>
+    <message>
+        <source>second divider</source>
+        <translation>второй делитель</translation>
+    </message>
+    <message>
+        <source>frequency input</source>
+        <translation>частотный вход</translation>
+    </message>
+    <message>
+        <source>%1 is used.</source>
+        <translation>Берётся %1.</translation>
+    </message>
+    <message>
+        <source>The other letters are used.</source>
+        <translation>Остальные буквы действуют.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 letters.</source>
+        <translation>Букв больше %1.</translation>
+    </message>
+    <message>
+        <source>%1 at place %2 is not a Latin letter.</source>
+        <translation>%1 на месте %2 — не латинская буква.</translation>
+    </message>
+    <message>
+        <source>12, or 10 without the AI16-5A</source>
+        <translation>12 (10 без AI16-5A)</translation>
+    </message>
+    <message>
+        <source>The file has %1 values instead of %2.</source>
+        <translation>В файле значений: %1, нужно %2.</translation>
+    </message>
+    <message>
+        <source>The board is left out.</source>
+        <translation>Плата пропущена.</translation>
+    </message>
+    <message>
+        <source>thermometer</source>
+        <translation>термометр</translation>
+    </message>
+    <message>
+        <source>Only a file INPUT names its thermometer.</source>
+        <translation>Термометр называет только файл INPUT.</translation>
+    </message>
+    <message>
+        <source>The thermometer is named in the first line only.</source>
+        <translation>Термометр называют только в первой строке.</translation>
+    </message>
+    <message>
+        <source>%1 is not a code and a number, as in ~f01.</source>
+        <translation>%1 — не код и номер, как в ~f01.</translation>
+    </message>
+    <message>
+        <source>measured value</source>
+        <translation>измеренное значение</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>температура</translation>
+    </message>
+    <message>
+        <source>polynomial</source>
+        <translation>полином</translation>
+    </message>
+    <message>
+        <source>The value is not greater than the one in the line before.</source>
+        <translation>Значение не больше, чем в предыдущей строке.</translation>
+    </message>
+    <message>
+        <source>coefficient</source>
+        <translation>коэффициент</translation>
+    </message>
+    <message>
+        <source>%1 is not one of c0 … c9.</source>
+        <translation>%1 — не один из c0 … c9.</translation>
+    </message>
+    <message>
+        <source>The polynomial has no coefficients.</source>
+        <translation>У полинома нет коэффициентов.</translation>
+    </message>
+    <message>
+        <source>%1 stands in the file twice.</source>
+        <translation>%1 есть в файле дважды.</translation>
+    </message>
+    <message>
+        <source>Lines with a temperature and lines with c0, c1, … cannot stand in one file.</source>
+        <translation>Строки с температурой и строки c0, c1, … не могут стоять в одном файле.</translation>
+    </message>
+    <message>
+        <source>The parameter gets no values.</source>
+        <translation>У параметра не будет значений.</translation>
+    </message>
+    <message>
+        <source>input bit</source>
+        <translation>входной бит</translation>
+    </message>
+    <message>
+        <source>output bit of the blinker</source>
+        <translation>выходной бит бленкера</translation>
+    </message>
+    <message>
+        <source>minute of the check</source>
+        <translation>минута проверки</translation>
+    </message>
+    <message>
+        <source>sensitivity</source>
+        <translation>чувствительность</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>фон</translation>
+    </message>
+    <message>
+        <source>code</source>
+        <translation>код</translation>
+    </message>
+    <message>
+        <source>%1 is not a code: a Latin letter, with a number if need be.</source>
+        <translation>%1 — не код: нужна латинская буква, при необходимости с номером.</translation>
+    </message>
+    <message>
+        <source>The gamma sensor is left out.</source>
+        <translation>Датчик гамма-излучения пропущен.</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>номер</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>период</translation>
+    </message>
+    <message>
+        <source>port</source>
+        <translation>порт</translation>
+    </message>
+    <message>
+        <source>A port of the type “%1” cannot be used: no document says how its data look. Measure with another source.</source>
+        <translation>Порт типа “%1” использовать нельзя: вид его данных нигде не описан. Измеряйте другим источником.</translation>
+    </message>
+    <message>
+        <source>%1 is no port: it begins with one of the letters x, w, a, v, q.</source>
+        <translation>%1 — не порт: он начинается с одной из букв x, w, a, v, q.</translation>
+    </message>
+    <message>
+        <source>%1 is not the number of a port, 1 to 256.</source>
+        <translation>%1 — не номер порта от 1 до 256.</translation>
+    </message>
+    <message>
+        <source>The type letter has no port behind it: write its number, as in q1.</source>
+        <translation>После буквы типа нет порта: напишите его номер, например q1.</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>скорость</translation>
+    </message>
+    <message>
+        <source>data bits</source>
+        <translation>биты данных</translation>
+    </message>
+    <message>
+        <source>stop bits</source>
+        <translation>стоповые биты</translation>
+    </message>
+    <message>
+        <source>There are 1, 1.5 or 2 stop bits.</source>
+        <translation>Стоповых битов бывает 1, 1.5 или 2.</translation>
+    </message>
+    <message>
+        <source>parity</source>
+        <translation>чётность</translation>
+    </message>
+    <message>
+        <source>The parity is 0 (none), 1 (odd), 2 (even), 5 (mark) or 7 (space).</source>
+        <translation>Чётность бывает 0 (нет), 1 (нечёт), 2 (чёт), 5 (единица) или 7 (ноль).</translation>
+    </message>
+    <message>
+        <source>extra</source>
+        <translation>дополнение</translation>
+    </message>
+    <message>
+        <source>The object is left out.</source>
+        <translation>Объект пропущен.</translation>
+    </message>
+    <message>
+        <source>%1 is used in line %2.</source>
+        <translation>%1 уже занят в строке %2.</translation>
+    </message>
+    <message>
+        <source>averaging</source>
+        <translation>осреднение</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>наименование</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>единица измерения</translation>
+    </message>
+    <message>
+        <source>short name</source>
+        <translation>условное имя</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>тип</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>формат</translation>
+    </message>
+    <message>
+        <source>%1 is no format: write it as in %5.1f.</source>
+        <translation>%1 — не формат: пишите его как %5.1f.</translation>
+    </message>
+    <message>
+        <source>left limit</source>
+        <translation>левая граница</translation>
+    </message>
+    <message>
+        <source>right limit</source>
+        <translation>правая граница</translation>
+    </message>
+    <message>
+        <source>The right limit is less than the left one.</source>
+        <translation>Правая граница меньше левой.</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>погрешность</translation>
+    </message>
+    <message>
+        <source>x0</source>
+        <translation>x0</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 — не число.</translation>
+    </message>
+    <message>
+        <source>The parameter is left out.</source>
+        <translation>Параметр пропущен.</translation>
+    </message>
+    <message>
+        <source>The parameter %1 %2 stands in line %3 already.</source>
+        <translation>Параметр %1 %2 уже есть в строке %3.</translation>
+    </message>
+    <message>
+        <source>A station has at most %1 parameters.</source>
+        <translation>У станции не больше %1 параметров.</translation>
+    </message>
+    <message>
+        <source>%1 is not between %2 and %3.</source>
+        <translation>%1 — не между %2 и %3.</translation>
+    </message>
+    <message>
+        <source>The text has no closing double quote.</source>
+        <translation>У текста нет закрывающей кавычки.</translation>
+    </message>
+    <message>
+        <source>The field is missing.</source>
+        <translation>Поля нет.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number.</source>
+        <translation>%1 — не целое число.</translation>
+    </message>
+    <message>
+        <source>%1 is not one Latin letter.</source>
+        <translation>%1 — не одна латинская буква.</translation>
+    </message>
+    <message>
+        <source>A polynomial has at most %1 coefficients.</source>
+        <translation>У полинома не больше %1 коэффициентов.</translation>
+    </message>
+    <message>
+        <source>The file has %1 of %2 values.</source>
+        <translation>В файле %1 из %2 значений.</translation>
+    </message>
+    <message>
+        <source>The usual ones are used for the others.</source>
+        <translation>Для остальных берутся обычные.</translation>
+    </message>
+    <message>
+        <source>number of the station</source>
+        <translation>номер станции</translation>
+    </message>
+    <message>
+        <source>calculation of σ</source>
+        <translation>расчёт σ</translation>
+    </message>
+    <message>
+        <source>hold of the maximum, ticks</source>
+        <translation>удержание максимума, тики</translation>
+    </message>
+    <message>
+        <source>shift of the request, s</source>
+        <translation>сдвиг запроса, с</translation>
+    </message>
+    <message>
+        <source>copies in SAFE</source>
+        <translation>копии в SAFE</translation>
+    </message>
+    <message>
+        <source>number of attempts</source>
+        <translation>количество попыток</translation>
+    </message>
+    <message>
+        <source>averaging of frequency, ticks</source>
+        <translation>осреднение частоты, тики</translation>
+    </message>
+    <message>
+        <source>calibration time, s</source>
+        <translation>время калибровки, с</translation>
+    </message>
+    <message>
+        <source>averaging, s</source>
+        <translation>осреднение, с</translation>
+    </message>
+    <message>
+        <source>percent of good values</source>
+        <translation>процент хороших значений</translation>
+    </message>
+    <message>
+        <source>no protocol file</source>
+        <translation>запрет файла протокола</translation>
+    </message>
+    <message>
+        <source>watchdog, s</source>
+        <translation>сторожевой таймер, с</translation>
+    </message>
+    <message>
+        <source>pulse filter, µs</source>
+        <translation>фильтр импульсов, мкс</translation>
+    </message>
+    <message>
+        <source>The values %1 are without effect here.</source>
+        <translation>Значения %1 здесь не действуют.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>field %1</source>
+        <translation>поле %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more.</source>
+        <translation>… и ещё %1.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read (%1).</source>
+        <translation>Файл не читается (%1).</translation>
+    </message>
+    <message>
+        <source>The file is longer than 1 MiB.</source>
+        <translation>Файл длиннее 1 МиБ.</translation>
+    </message>
+    <message>
+        <source>The folder does not exist.</source>
+        <translation>Папки нет.</translation>
+    </message>
+    <message>
+        <source>The file is not used.</source>
+        <translation>Файл не используется.</translation>
+    </message>
+    <message>
+        <source>Another file of the folder is %1 already.</source>
+        <translation>В папке уже есть другой файл %1.</translation>
+    </message>
+    <message>
+        <source>ACK.PAR has no parameter %1.</source>
+        <translation>В ACK.PAR нет параметра %1.</translation>
+    </message>
+    <message>
+        <source>The file is missing.</source>
+        <translation>Файла нет.</translation>
+    </message>
+    <message>
+        <source>The usual settings are used.</source>
+        <translation>Берутся обычные настройки.</translation>
+    </message>
+    <message>
+        <source>The station has neither sources nor lines.</source>
+        <translation>У станции нет ни источников, ни линий.</translation>
+    </message>
+    <message>
+        <source>The station has no parameters.</source>
+        <translation>У станции нет параметров.</translation>
+    </message>
+    <message>
+        <source>ACK.PAR has no thermometer, a parameter with the code T.</source>
+        <translation>В ACK.PAR нет термометра — параметра с кодом T.</translation>
+    </message>
+    <message>
+        <source>Nothing is added.</source>
+        <translation>Ничего не прибавляется.</translation>
+    </message>
+    <message>
+        <source>The source needs the file %1.</source>
+        <translation>Источнику нужен файл %1.</translation>
+    </message>
+    <message>
+        <source>It measures nothing.</source>
+        <translation>Он ничего не измеряет.</translation>
+    </message>
+    <message>
+        <source>The object that gathers has the number %1 and the station, by ACK.PSE, %2.</source>
+        <translation>Номер собирающего объекта — %1, а станции по ACK.PSE — %2.</translation>
+    </message>
+    <message>
+        <source>It gathers all the same.</source>
+        <translation>Он всё равно собирает.</translation>
+    </message>
+    <message>
+        <source>Its input is not used.</source>
+        <translation>Его вход не используется.</translation>
+    </message>
+</context>
+<context>
     <name>StatusBits</name>
     <message>
         <source>polling is off</source>

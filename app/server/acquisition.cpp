@@ -1,12 +1,40 @@
 #include "app/server/acquisition.h"
 
 #include "core/simulation/simulatedline.h"
+#include "core/station/service/stationline.h"
+
+#include <QDir>
 
 namespace gorizont {
 
 namespace {
 
-LineWorker::MakeLine lineMaker(const Acquisition::Settings &settings, const LineConfig &line, SteadyTime started)
+const QString stationScheme = QStringLiteral("station:");
+
+} // namespace
+
+/// The station in \a folder, which runs in this process for all lines that lead to it.
+Acquisition::OwnStation &Acquisition::stationIn(const QString &folder, const PortNaming &ports, Journal &journal)
+{
+    OwnStation &own = m_stations[folder];
+    if (!own.thread) {
+        station::StationSetup setup;
+        setup.configFolder = folder;
+        setup.dataFolder = folder;
+        setup.ports = ports;
+        own.thread = std::make_unique<station::StationThread>(setup);
+        QObject::connect(&own.thread->station(), &station::Station::journal, &journal, &Journal::append);
+        if (!QDir(folder).exists()) {
+            own.problem = tr("there is no folder %1").arg(QDir::toNativeSeparators(folder));
+        } else if (!own.thread->acquire()) {
+            own.problem = tr("another program runs the station in %1").arg(QDir::toNativeSeparators(folder));
+        }
+    }
+    return own;
+}
+
+LineWorker::MakeLine Acquisition::lineMaker(
+    const Settings &settings, const LineConfig &line, SteadyTime started, Journal &journal)
 {
     const auto tick = settings.common.timing.pauseTick;
     if (line.device.startsWith(QStringLiteral("sim:"), Qt::CaseInsensitive)) {
@@ -16,10 +44,14 @@ LineWorker::MakeLine lineMaker(const Acquisition::Settings &settings, const Line
             return std::make_unique<SimulatedLine>(line, options, started, tick);
         };
     }
+    if (line.device.startsWith(stationScheme, Qt::CaseInsensitive)) {
+        OwnStation &own = stationIn(line.device.sliced(stationScheme.size()), settings.ports, journal);
+        return [station = &own.thread->station(), problem = own.problem, tick]() -> std::unique_ptr<Line> {
+            return std::make_unique<station::StationLine>(*station, problem, tick);
+        };
+    }
     return [=, naming = settings.ports] { return makeLine(line, naming, tick); };
 }
-
-} // namespace
 
 Acquisition::Acquisition(const Settings &settings, SensorRegistry &registry, Journal &journal)
 {
@@ -32,7 +64,7 @@ Acquisition::Acquisition(const Settings &settings, SensorRegistry &registry, Jou
         own.line = line;
         Entry entry;
         entry.port = line.index;
-        entry.worker = std::make_unique<LineWorker>(own, lineMaker(settings, line, started));
+        entry.worker = std::make_unique<LineWorker>(own, lineMaker(settings, line, started, journal));
         entry.thread = std::make_unique<QThread>();
         entry.thread->setObjectName(QStringLiteral("line %1").arg(line.title()));
         LineWorker *worker = entry.worker.get();
@@ -52,6 +84,11 @@ Acquisition::~Acquisition() = default;
 
 void Acquisition::start()
 {
+    for (const auto &[folder, own] : m_stations) {
+        if (own.problem.isEmpty()) {
+            own.thread->start();
+        }
+    }
     for (const Entry &entry : m_entries) {
         entry.thread->start();
     }
@@ -67,6 +104,10 @@ bool Acquisition::stop(std::chrono::milliseconds limit)
     bool haveAllEnded = true;
     for (const Entry &entry : m_entries) {
         haveAllEnded = entry.thread->wait(deadline) && haveAllEnded;
+    }
+    for (const auto &[folder, own] : m_stations) {
+        const std::chrono::milliseconds left(std::max<qint64>(deadline.remainingTime(), 0));
+        haveAllEnded = own.thread->stop(left) && haveAllEnded;
     }
     return haveAllEnded;
 }

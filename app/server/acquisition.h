@@ -4,9 +4,12 @@
 #include "core/line/openline.h"
 #include "core/registry/journal.h"
 #include "core/registry/sensorregistry.h"
+#include "core/station/service/stationthread.h"
 
+#include <QCoreApplication>
 #include <QThread>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -15,6 +18,8 @@ namespace gorizont {
 /// All line workers, each in a thread of its own, connected to the registry and the journal. Main thread.
 class Acquisition
 {
+    Q_DECLARE_TR_FUNCTIONS(gorizont::Acquisition)
+
 public:
     struct Settings
     {
@@ -45,7 +50,17 @@ private:
         std::unique_ptr<LineWorker> worker;
         std::unique_ptr<QThread> thread;
     };
+    struct OwnStation
+    {
+        std::unique_ptr<station::StationThread> thread;
+        QString problem; ///< why it does not run; empty: it may
+    };
 
+    LineWorker::MakeLine lineMaker(
+        const Settings &settings, const LineConfig &line, SteadyTime started, Journal &journal);
+    OwnStation &stationIn(const QString &folder, const PortNaming &ports, Journal &journal);
+
+    std::map<QString, OwnStation> m_stations; ///< by folder; before the workers, whose lines use them
     std::vector<Entry> m_entries;
 };
 

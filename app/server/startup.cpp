@@ -41,6 +41,17 @@ void resolveFiles(MqttSettings &mqtt, const QString &folder)
     }
 }
 
+/// So do the folders of stations that run in this program.
+void resolveStations(QList<LineConfig> &lines, const QString &folder)
+{
+    const QString scheme = QStringLiteral("station:");
+    for (LineConfig &line : lines) {
+        if (line.device.startsWith(scheme, Qt::CaseInsensitive)) {
+            line.device = scheme + QDir(folder).absoluteFilePath(line.device.sliced(scheme.size()));
+        }
+    }
+}
+
 } // namespace
 
 QString findConfigFile(const Options &options)
@@ -82,6 +93,7 @@ std::optional<Site> loadSite(const Options &options, const QString &configFile, 
     }
     site.reading = *std::move(reading);
     resolveFiles(site.reading.config.mqtt, QFileInfo(configFile).absolutePath());
+    resolveStations(site.reading.config.lines, QFileInfo(configFile).absolutePath());
     site.configFile = options.isDemo ? configFile : QFileInfo(configFile).absoluteFilePath();
     const QString folder = dataFolder(options, configFile);
     if (!QDir().mkpath(folder)) {

@@ -33,6 +33,9 @@ QString deviceProblem(const QString &device)
         if (url.host().isEmpty() || url.port() < 1) {
             return QCoreApplication::translate("ServerConfig", "%1 is not tcp://host:port.").arg(quoted(device));
         }
+    } else if (device.compare(u"station:"_s, Qt::CaseInsensitive) == 0) {
+        return QCoreApplication::translate("ServerConfig", "The folder of the station is missing behind %1.")
+            .arg(quoted(device));
     } else if (device.contains(u"://"_s)) {
         return QCoreApplication::translate("ServerConfig", "%1 is no kind of device that is known.")
             .arg(quoted(device));

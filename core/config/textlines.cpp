@@ -1,6 +1,6 @@
 #include "core/config/textlines.h"
 
-#include "core/config/windows1251.h"
+#include "core/values/windows1251.h"
 
 #include <QtEndian>
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/files/recordfile.h"
 #include "core/history/historyconfig.h"
 #include "core/history/historyformat.h"
 #include "core/history/logfile.h"
-#include "core/history/recordfile.h"
 #include "core/history/samplefile.h"
 #include "core/history/writehealth.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/history/recordfile.h"
+#include "core/files/recordfile.h"
 
 namespace gorizont {
 

@@ -1,5 +1,7 @@
 #include "core/line/serialline.h"
 
+#include "core/line/serialformat.h"
+
 #include <QCoreApplication>
 #include <QFile>
 
@@ -11,28 +13,6 @@
 namespace gorizont {
 
 namespace {
-
-QSerialPort::Parity qtParity(Parity parity)
-{
-    switch (parity) {
-    case Parity::None: return QSerialPort::NoParity;
-    case Parity::Even: return QSerialPort::EvenParity;
-    case Parity::Odd: return QSerialPort::OddParity;
-    case Parity::Mark: return QSerialPort::MarkParity;
-    case Parity::Space: return QSerialPort::SpaceParity;
-    }
-    return QSerialPort::NoParity;
-}
-
-QSerialPort::StopBits qtStopBits(StopBits bits)
-{
-    switch (bits) {
-    case StopBits::One: return QSerialPort::OneStop;
-    case StopBits::OneAndHalf: return QSerialPort::OneAndHalfStop;
-    case StopBits::Two: return QSerialPort::TwoStop;
-    }
-    return QSerialPort::OneStop;
-}
 
 PortSettings ofConfig(const LineConfig &config)
 {

@@ -1,5 +1,5 @@
 #include "core/config/inifile.h"
-#include "core/config/windows1251.h"
+#include "core/values/windows1251.h"
 
 #include <QFile>
 #include <QTest>

@@ -1,5 +1,5 @@
+#include "core/files/recordfile.h"
 #include "core/history/historywriter.h"
-#include "core/history/recordfile.h"
 #include "core/history/samplerepair.h"
 #include "tests/core/history/historysupport.h"
 

@@ -1,5 +1,5 @@
+#include "core/files/recordfile.h"
 #include "core/history/logfile.h"
-#include "core/history/recordfile.h"
 #include "tests/core/history/historysupport.h"
 
 #include <QDir>

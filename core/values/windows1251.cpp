@@ -1,4 +1,4 @@
-#include "core/config/windows1251.h"
+#include "core/values/windows1251.h"
 
 #include <algorithm>
 #include <array>

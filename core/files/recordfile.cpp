@@ -1,4 +1,4 @@
-#include "core/history/recordfile.h"
+#include "core/files/recordfile.h"
 
 #include <QStringDecoder>
 
