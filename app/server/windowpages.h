@@ -19,7 +19,8 @@ struct PageSources
 };
 
 /// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration,
-/// <Перемещения> where the site has chains, and <Погода> where it has a weather station. F5 asks the archive again. All sources outlive the window.
+/// <Перемещения> where the site has chains, and <Погода> where it has a weather station. F5 asks the archive again, and reads the files of
+/// stations that run in this program. All sources outlive the window.
 void addWindowPages(MainWindow &window, const PageSources &sources);
 
 } // namespace gorizont
