@@ -79,6 +79,26 @@
     </message>
 </context>
 <context>
+    <name>gorizont::RecordedSource</name>
+    <message numerus="yes">
+        <source>%n value(s) are expected</source>
+        <translation>
+            <numerusform>%n value is expected</numerusform>
+            <numerusform>%n values are expected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SourceFile</name>
+    <message numerus="yes">
+        <source>%n number(s) are expected here.</source>
+        <translation>
+            <numerusform>%n number is expected here.</numerusform>
+            <numerusform>%n numbers are expected here.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>gorizont::UsmDialog</name>
     <message numerus="yes">
         <source>%n new record(s)</source>

@@ -309,6 +309,34 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>mm</source>
         <translation>мм</translation>
     </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Скорость ветра</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Направление ветра</translation>
+    </message>
+    <message>
+        <source>Maximum wind speed</source>
+        <translation>Максимальная скорость ветра</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Давление</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Влажность</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
 </context>
 <context>
     <name>Ind3Driver</name>
@@ -447,6 +475,96 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>Mk14Driver</name>
+    <message>
+        <source>The station has data again.</source>
+        <translation>У станции снова есть данные.</translation>
+    </message>
+    <message>
+        <source>The station answers, but has no data. It may just have been switched on.</source>
+        <translation>Станция отвечает, но данных у неё нет. Возможно, она только что включена.</translation>
+    </message>
+    <message>
+        <source>The station sends %1 parameters, but %2 are listed. Its values are named by their place. Make Params%3 or ParFile%3 agree with the station&apos;s ACK.PAR.</source>
+        <translation>Станция передаёт параметров: %1, а перечислено: %2. Величины названы по месту. Приведите Params%3 или ParFile%3 в соответствие с ACK.PAR станции.</translation>
+    </message>
+    <message>
+        <source>The station does not answer CMD %1, but others it does. Leave it out in Cmd%2.</source>
+        <translation>На команду %1 станция не отвечает, на другие отвечает. Исключите её в ключе Cmd%2.</translation>
+    </message>
+    <message>
+        <source>%1%2 is &quot;%3&quot;, but takes %4. Its usual value is used.</source>
+        <translation>%1%2 задан как «%3», а допустимо: %4. Взято обычное значение.</translation>
+    </message>
+    <message>
+        <source>numbers from 1 to 8, like 8,4</source>
+        <translation>числа от 1 до 8, например 8,4</translation>
+    </message>
+    <message>
+        <source>a number of at most 32 bits, like 5 or 0x0005</source>
+        <translation>число не длиннее 32 бит, например 5 или 0x0005</translation>
+    </message>
+    <message>
+        <source>letters, like U,T,P,H,A,M</source>
+        <translation>буквы, например U,T,P,H,A,M</translation>
+    </message>
+    <message>
+        <source>ParFile%1: %2: %3. Params%1 is used.</source>
+        <translation>ParFile%1: %2: %3. Действует Params%1.</translation>
+    </message>
+    <message>
+        <source>ParFile%1: %2, line %3: name, unit, short name, code (a letter) and number are expected. The line is left out.</source>
+        <translation>ParFile%1: %2, строка %3: нужны наименование, единицы, условное имя, код (буква) и номер. Строка пропущена.</translation>
+    </message>
+    <message>
+        <source>ParFile%1: %2 has no parameter. Params%1 is used.</source>
+        <translation>ParFile%1: в %2 нет ни одного параметра. Действует Params%1.</translation>
+    </message>
+</context>
+<context>
+    <name>Mk14Parameters</name>
+    <message>
+        <source>Supply voltage</source>
+        <translation>Напряжение питания</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Температура</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Давление</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Влажность</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Направление ветра</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Скорость ветра</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>Wind speed, mean vector</source>
+        <translation>Скорость ветра по составляющим</translation>
+    </message>
+</context>
+<context>
     <name>Modbus</name>
     <message>
         <source>Modbus TCP: %1 sensors, the first of them N=%2, find no room below register 65536 in unit %3 and are not served there.</source>
@@ -581,6 +699,38 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>%1 d %2</source>
         <translation>%1 сут %2</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Давление</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Влажность</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <translation>Скорость ветра</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Направление ветра</translation>
+    </message>
+    <message>
+        <source>Maximum wind speed</source>
+        <translation>Максимальная скорость ветра</translation>
     </message>
 </context>
 <context>
@@ -1264,6 +1414,66 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>Displacement along Y over the foot of the chain</source>
         <translation>Перемещение по Y относительно основания цепочки</translation>
     </message>
+    <message>
+        <source>wind, weather and digital inputs are of now</source>
+        <translation>ветер, погода и цифровые входы текущие</translation>
+    </message>
+    <message>
+        <source>wind and weather</source>
+        <translation>ветер и погода</translation>
+    </message>
+    <message>
+        <source>m/s</source>
+        <translation>м/с</translation>
+    </message>
+    <message>
+        <source>Speed of the wind, mean</source>
+        <translation>Скорость ветра, средняя</translation>
+    </message>
+    <message>
+        <source>Direction of the wind, mean</source>
+        <translation>Направление ветра, среднее</translation>
+    </message>
+    <message>
+        <source>Largest speed of the wind in the last turns</source>
+        <translation>Наибольшая скорость ветра за последние опросы</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the speed of the wind</source>
+        <translation>Среднеквадратическое отклонение скорости ветра</translation>
+    </message>
+    <message>
+        <source>mm Hg</source>
+        <translation>мм рт. ст.</translation>
+    </message>
+    <message>
+        <source>Pressure of the air</source>
+        <translation>Давление воздуха</translation>
+    </message>
+    <message>
+        <source>Humidity of the air</source>
+        <translation>Влажность воздуха</translation>
+    </message>
+    <message>
+        <source>Digital inputs of a weather station, bit 0 the first</source>
+        <translation>Цифровые входы метеостанции, бит 0 — первый</translation>
+    </message>
+    <message>
+        <source>Direction of the largest speed; 0: stations do not say it</source>
+        <translation>Направление при наибольшей скорости; 0: станции его не сообщают</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the direction of the wind</source>
+        <translation>Среднеквадратическое отклонение направления ветра</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>A station that does not answer keeps its last values, 0 if there never were any; the status word says so. FFFFh: the station answers, but has no such value.</source>
+        <translation>У станции, которая не отвечает, остаются последние значения, 0, если их не было; об этом говорит слово состояния. FFFFh: станция отвечает, но такого значения у неё нет.</translation>
+    </message>
 </context>
 <context>
     <name>SensorPage</name>
@@ -1677,6 +1887,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>It is ignored. KeepRaw and KeepSamples bound the archive.</source>
         <translation>Он не учитывается. Архив ограничивают KeepRaw и KeepSamples.</translation>
+    </message>
+    <message>
+        <source>The folder of the station is missing behind %1.</source>
+        <translation>За %1 не указана папка станции.</translation>
     </message>
 </context>
 <context>
@@ -3544,6 +3758,17 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::Acquisition</name>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>нет папки %1</translation>
+    </message>
+    <message>
+        <source>another program runs the station in %1</source>
+        <translation>станция из папки %1 уже работает в другой программе</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::AlarmWatch</name>
     <message numerus="yes">
         <source>Accepted by the dispatcher: %n message(s)</source>
@@ -5209,6 +5434,25 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::Measuring</name>
+    <message>
+        <source>Self-check of the gamma sensor: good (%1 pulses, %2 with the blinker).</source>
+        <translation>Самопроверка гамма-датчика: исправен (импульсов: %1, с бленкером: %2).</translation>
+    </message>
+    <message>
+        <source>Self-check of the gamma sensor: it does not react to the blinker (%1 pulses, %2 with the blinker).</source>
+        <translation>Самопроверка гамма-датчика: он не реагирует на бленкер (импульсов: %1, с бленкером: %2).</translation>
+    </message>
+    <message>
+        <source>The outputs are set again.</source>
+        <translation>Выходы снова устанавливаются.</translation>
+    </message>
+    <message>
+        <source>An output cannot be set (%1); it is tried again and again.</source>
+        <translation>Не удаётся установить выход (%1); попытки повторяются.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::MessageQueue</name>
     <message>
         <source>MQTT: the queue did not end with a whole reading; what was unfinished has been removed.</source>
@@ -5536,6 +5780,13 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Nothing has been read.</source>
         <translation>Ничего не прочитано.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ModemPort</name>
+    <message>
+        <source>pulses of the wind can be counted on Linux only</source>
+        <translation>импульсы ветра можно считать только в Linux</translation>
     </message>
 </context>
 <context>
@@ -5882,6 +6133,13 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::PulseSource</name>
+    <message>
+        <source>the port gives no signals any more</source>
+        <translation>порт больше не даёт сигналов</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::RangeActions</name>
     <message>
         <source>10 min</source>
@@ -5906,6 +6164,52 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>1 year</source>
         <translation>1 год</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::ReceivedFile</name>
+    <message>
+        <source>A station takes no file of this name from a line.</source>
+        <translation>Файл с таким именем станция с линии не принимает.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::RecordedSource</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>строка %1: %2</translation>
+    </message>
+    <message>
+        <source>the first column must be called time</source>
+        <translation>первый столбец должен называться time</translation>
+    </message>
+    <message>
+        <source>%1 is no channel</source>
+        <translation>%1 — не канал</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s) are expected</source>
+        <translation>
+            <numerusform>ожидается %n значение</numerusform>
+            <numerusform>ожидаются %n значения</numerusform>
+            <numerusform>ожидается %n значений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 — не число</translation>
+    </message>
+    <message>
+        <source>it holds no values</source>
+        <translation>в нём нет значений</translation>
+    </message>
+    <message>
+        <source>the time does not go on</source>
+        <translation>время не возрастает</translation>
+    </message>
+    <message>
+        <source>it is longer than 64 MB</source>
+        <translation>он больше 64 МБ</translation>
     </message>
 </context>
 <context>
@@ -6297,6 +6601,99 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::SourceFile</name>
+    <message>
+        <source>The line is left out.</source>
+        <translation>Строка пропущена.</translation>
+    </message>
+    <message>
+        <source>%1 is no channel: a1…a64, f1, d1…d32, p1…p32, v1…v4, o1…o32, rate or record are expected.</source>
+        <translation>%1 — не канал: ожидается a1…a64, f1, d1…d32, p1…p32, v1…v4, o1…o32, rate или record.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n number(s) are expected here.</source>
+        <translation>
+            <numerusform>Здесь ожидается %n число.</numerusform>
+            <numerusform>Здесь ожидаются %n числа.</numerusform>
+            <numerusform>Здесь ожидается %n чисел.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 — не число.</translation>
+    </message>
+    <message>
+        <source>%1 is not greater than 0.</source>
+        <translation>%1 не больше 0.</translation>
+    </message>
+    <message>
+        <source>At most %1 Hz are possible.</source>
+        <translation>Возможно не больше %1 Гц.</translation>
+    </message>
+    <message>
+        <source>The name of the recorded file is missing.</source>
+        <translation>Нет имени записанного файла.</translation>
+    </message>
+    <message>
+        <source>Only `once` may follow the name of the file.</source>
+        <translation>После имени файла может стоять только `once`.</translation>
+    </message>
+    <message>
+        <source>An output goes to a file: `file PATH` is expected.</source>
+        <translation>Выход связывается с файлом: ожидается `file ПУТЬ`.</translation>
+    </message>
+    <message>
+        <source>%1 is no signal: constant, sine, noise, drop, square, output, vane, iio or file are expected.</source>
+        <translation>%1 — не сигнал: ожидается constant, sine, noise, drop, square, output, vane, iio или file.</translation>
+    </message>
+    <message>
+        <source>`vane` and the channels v1…v4 go together.</source>
+        <translation>`vane` бывает только у каналов v1…v4, а у них — только он.</translation>
+    </message>
+    <message>
+        <source>An output has a bit from 0 to 31.</source>
+        <translation>Бит выхода — от 0 до 31.</translation>
+    </message>
+    <message>
+        <source>Such a channel cannot come from there.</source>
+        <translation>Такой канал оттуда взять нельзя.</translation>
+    </message>
+    <message>
+        <source>`iio FOLDER INPUT` is expected.</source>
+        <translation>Ожидается `iio ПАПКА ВХОД`.</translation>
+    </message>
+    <message>
+        <source>`file PATH` is expected.</source>
+        <translation>Ожидается `file ПУТЬ`.</translation>
+    </message>
+    <message>
+        <source>%1 is no input of a device.</source>
+        <translation>%1 — не номер входа устройства.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SourceWatch</name>
+    <message>
+        <source>Source %1 works again.</source>
+        <translation>Источник «%1» снова работает.</translation>
+    </message>
+    <message>
+        <source>it has said nothing for %1 s</source>
+        <translation>он молчит дольше %1 с</translation>
+    </message>
+    <message>
+        <source>Source %1 has failed: %2. Its parameters have no value; it is started again every %3 s.</source>
+        <translation>Источник «%1» отказал: %2. У его параметров нет значения; каждые %3 с он запускается снова.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::Sources</name>
+    <message>
+        <source>simulated signals</source>
+        <translation>имитируемые сигналы</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::SpanPage</name>
     <message>
         <source>Sensor</source>
@@ -6365,6 +6762,130 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::StationApplication</name>
+    <message>
+        <source>The log is written again.</source>
+        <translation>Журнал снова пишется.</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1</source>
+        <translation>Журнал не удаётся записать: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StationMain</name>
+    <message>
+        <source>There is no folder %1. Name the one with ACK.INI with --config.</source>
+        <translation>Нет папки %1. Укажите папку с ACK.INI: --config.</translation>
+    </message>
+    <message>
+        <source>The folder %1 for the data cannot be made. Choose another one with --data.</source>
+        <translation>Папку %1 для данных не удаётся создать. Укажите другую: --data.</translation>
+    </message>
+    <message>
+        <source>A station already works with the folder %1. End that program, or give this one a folder of its own with --data.</source>
+        <translation>С папкой %1 уже работает станция. Завершите ту программу или дайте этой собственную папку: --data.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StationOptions</name>
+    <message>
+        <source>A weather station: measures, corrects, averages, keeps records and answers dispatchers.
+
+SIGHUP reads the files of the station again, SIGINT and SIGTERM end the program.</source>
+        <translation>Метеостанция: измеряет, вносит поправки, осредняет, ведёт записи и отвечает диспетчерам.
+
+SIGHUP — перечитать файлы станции, SIGINT и SIGTERM — завершить программу.</translation>
+    </message>
+    <message>
+        <source>The folder with ACK.INI and the other files of the station.</source>
+        <translation>Папка с ACK.INI и остальными файлами станции.</translation>
+    </message>
+    <message>
+        <source>Where records and the log go; default: the folder of the configuration.</source>
+        <translation>Куда идут записи и журнал; по умолчанию в папку файлов станции.</translation>
+    </message>
+    <message>
+        <source>Port number n is opened as DIR/COMn.</source>
+        <translation>Порт с номером n открывается как DIR/COMn.</translation>
+    </message>
+    <message>
+        <source>Waits for dispatchers over TCP too: PORT for this computer only, ADDRESS:PORT for others. May be given several times.</source>
+        <translation>Ждать диспетчеров и по TCP: PORT — только с этого компьютера, ADDRESS:PORT — с других. Можно указать несколько раз.</translation>
+    </message>
+    <message>
+        <source>Without effect: the station never has a window.</source>
+        <translation>Ничего не меняет: окна у станции нет.</translation>
+    </message>
+    <message>
+        <source>Prints every second as one line of JSON.</source>
+        <translation>Печатать каждую секунду одной строкой JSON.</translation>
+    </message>
+    <message>
+        <source>A dispatcher may set the clock of this computer; else the station keeps a clock of its own.</source>
+        <translation>Диспетчер может ставить часы этого компьютера; иначе станция ведёт собственные.</translation>
+    </message>
+    <message>
+        <source>Language of the program.</source>
+        <translation>Язык программы.</translation>
+    </message>
+    <message>
+        <source>Prints this.</source>
+        <translation>Напечатать эту справку.</translation>
+    </message>
+    <message>
+        <source>Prints the version.</source>
+        <translation>Напечатать версию.</translation>
+    </message>
+    <message>
+        <source>Unexpected argument: %1</source>
+        <translation>Лишний аргумент: %1</translation>
+    </message>
+    <message>
+        <source>--config DIR is needed, the folder with ACK.INI and the other files of the station</source>
+        <translation>нужен --config DIR, папка с ACK.INI и остальными файлами станции</translation>
+    </message>
+    <message>
+        <source>--lang takes ru or en, not %1</source>
+        <translation>--lang принимает ru или en, а не %1</translation>
+    </message>
+    <message>
+        <source>--listen takes PORT or ADDRESS:PORT, with an address in digits, not %1</source>
+        <translation>--listen принимает PORT или ADDRESS:PORT с адресом из цифр, а не %1</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::StationPlan</name>
+    <message>
+        <source>extra</source>
+        <translation>дополнение</translation>
+    </message>
+    <message>
+        <source>ACK.PAR has no parameter %1.</source>
+        <translation>В ACK.PAR нет параметра %1.</translation>
+    </message>
+    <message>
+        <source>This value of object %1 is not taken over.</source>
+        <translation>Это значение объекта %1 не берётся.</translation>
+    </message>
+    <message>
+        <source>%1 is no data command, 1 to 8.</source>
+        <translation>%1 — не команда данных, 1…8.</translation>
+    </message>
+    <message>
+        <source>Object %1 is asked with command %2.</source>
+        <translation>Объект %1 опрашивается командой %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no source: file:NAME or iio:FOLDER are.</source>
+        <translation>%1 — не источник: ожидается file:ИМЯ или iio:ПАПКА.</translation>
+    </message>
+    <message>
+        <source>Only ACK.SRC gives values to this board.</source>
+        <translation>Значения этой плате даёт только ACK.SRC.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::StatusText</name>
     <message>
         <source>%1 No. %2 (%3, address %4)</source>
@@ -6421,6 +6942,21 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Unknown error</source>
         <translation>Неизвестная ошибка</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::SysfsSource</name>
+    <message>
+        <source>%1 holds no number</source>
+        <translation>в %1 нет числа</translation>
+    </message>
+    <message>
+        <source>inputs of the system</source>
+        <translation>входы системы</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>нет папки %1</translation>
     </message>
 </context>
 <context>
@@ -7462,6 +7998,107 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <message>
         <source>Way of the axis</source>
         <translation>Путь оси</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Doors</name>
+    <message>
+        <source>%1 is no place to listen: tcp://ADDRESS:PORT with an address in digits is.</source>
+        <translation>%1 — не место, где можно ждать: нужно tcp://АДРЕС:ПОРТ с адресом из цифр.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Gatherer</name>
+    <message>
+        <source>no line leads there</source>
+        <translation>туда не ведёт ни одна линия</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Gathering</name>
+    <message>
+        <source>Station %1 answers.</source>
+        <translation>Станция %1 отвечает.</translation>
+    </message>
+    <message>
+        <source>Station %1 does not answer (%2); its parameters have no value.</source>
+        <translation>Станция %1 не отвечает (%2); у её параметров нет значения.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::SerialDoor</name>
+    <message>
+        <source>%1: open for dispatchers</source>
+        <translation>%1: открыт для диспетчеров</translation>
+    </message>
+    <message>
+        <source>there is no such device</source>
+        <translation>такого устройства нет</translation>
+    </message>
+    <message>
+        <source>%1 is closed for dispatchers (%2) and is tried again and again</source>
+        <translation>%1: закрыт для диспетчеров (%2), попытки повторяются</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::Station</name>
+    <message>
+        <source>Station %1 started</source>
+        <translation>Станция %1 запущена</translation>
+    </message>
+    <message>
+        <source>Station %1 ended</source>
+        <translation>Станция %1 остановлена</translation>
+    </message>
+    <message>
+        <source>The files of the station are read again.</source>
+        <translation>Файлы станции читаются снова.</translation>
+    </message>
+    <message>
+        <source>The clock of the computer was set by %1 s.</source>
+        <translation>Часы компьютера переставлены на %1 с.</translation>
+    </message>
+    <message>
+        <source>A dispatcher has set the clock to %1, by %2 s.</source>
+        <translation>Диспетчер поставил часы на %1, на %2 с.</translation>
+    </message>
+    <message>
+        <source>The file %1 of a dispatcher was refused: %2</source>
+        <translation>Файл %1 от диспетчера отклонён: %2</translation>
+    </message>
+    <message>
+        <source>A dispatcher has sent the file %1; the one before is kept as .bak.</source>
+        <translation>Диспетчер прислал файл %1; прежний оставлен с окончанием .bak.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::StationStorage</name>
+    <message>
+        <source>The clock that was set is lost at the next start: %1</source>
+        <translation>При следующем запуске часы не сохранятся: %1</translation>
+    </message>
+    <message>
+        <source>Records are saved again.</source>
+        <translation>Записи снова сохраняются.</translation>
+    </message>
+    <message>
+        <source>The unfinished last record of %1 was removed.</source>
+        <translation>Незаконченная последняя запись в %1 удалена.</translation>
+    </message>
+    <message>
+        <source>Records cannot be saved (%1). The newest %2 wait.</source>
+        <translation>Записи не сохраняются (%1). Последние %2 ждут.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::station::TcpDoor</name>
+    <message>
+        <source>TCP %1:%2: open for dispatchers</source>
+        <translation>TCP %1:%2: открыт для диспетчеров</translation>
+    </message>
+    <message>
+        <source>TCP %1 is closed for dispatchers (%2) and is tried again and again</source>
+        <translation>TCP %1: закрыт для диспетчеров (%2), попытки повторяются</translation>
     </message>
 </context>
 <context>
@@ -8554,6 +9191,168 @@ settings   записывает его настройки в файл или ф�
     <message>
         <source>the module refuses the settings (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); it keeps those it had</source>
         <translation>модуль отказывается от настроек (LAST_WR_ERROR %1, LAST_CHECK_SETTINGS_ERR %2); у него остались прежние</translation>
+    </message>
+    <message>
+        <source>JSON, one object a line; what the station did not send, or sent as not valid, is absent:
+  every one   type (MK-14), device, address
+  read        cmd, digital, parameters: code, number, name, unit, mean, instant, min, max, voltage,
+              voltageInstant, maxPeriod, deviation; events: start, time (s)
+  set-…,      setting (time, outputs, file), done; time: seconds since 1970 that were sent; outputs, digital;
+  send-file   file, name
+  a failure   fault: timeout, checksum, bad reply, refused, closed, cancelled</source>
+        <translation>JSON, по объекту в строке; чего станция не передала или передала негодным, того нет:
+  каждый      type (MK-14), device, address
+  read        cmd, digital, parameters: code, number, name, unit, mean, instant, min, max, voltage,
+              voltageInstant, maxPeriod, deviation; events: start, time (с)
+  set-…,      setting (time, outputs, file), done; time: переданные секунды с 1970 года; outputs, digital;
+  send-file   file, name
+  неудача     fault: timeout, checksum, bad reply, refused, closed, cancelled</translation>
+    </message>
+    <message>
+        <source>mk14 takes one of %1; see gorizont-tool mk14 --help</source>
+        <translation>после mk14 нужно одно из: %1; см. gorizont-tool mk14 --help</translation>
+    </message>
+    <message>
+        <source>outputs are a number like 5 or 0x0005, not &quot;%1&quot;</source>
+        <translation>слово выходов — число, например 5 или 0x0005, а не «%1»</translation>
+    </message>
+    <message>
+        <source>Reads and sets a weather station МК-14. The line must not be open in another program.</source>
+        <translation>Читает и настраивает метеостанцию МК-14. Линия не должна быть открыта другой программой.</translation>
+    </message>
+    <message>
+        <source>read         prints what it measures, by --cmd
+set-time     sets its clock to that of this computer
+set-outputs  gives its outputs the control word WORD, like 5 or 0x0005
+send-file    sends it a settings file like ACK.PAR</source>
+        <translation>read         печатает, что она измеряет, командой --cmd
+set-time     ставит её часы по часам этого компьютера
+set-outputs  задаёт управляющее слово выходов WORD, например 5 или 0x0005
+send-file    передаёт ей файл настройки, например ACK.PAR</translation>
+    </message>
+    <message>
+        <source>Every question carries the control word of the outputs: give read the one that shall stay with --outputs. A server that polls the station repeats its own, Outputs{i} of the ini.</source>
+        <translation>Управляющее слово выходов есть в каждом запросе: для read задайте ключом --outputs то, которое должно остаться. Сервер, который опрашивает станцию, повторяет своё — Outputs{i} из ini.</translation>
+    </message>
+    <message>
+        <source>Exit codes: 0 done; 1 refused by the user, or impossible; 2 the command line is wrong; 3 no answer, not confirmed, or the port cannot be opened.</source>
+        <translation>Коды выхода: 0 сделано; 1 отказ пользователя или невозможно; 2 ошибка в командной строке; 3 нет ответа, не подтверждено или порт не открывается.</translation>
+    </message>
+    <message>
+        <source>Speed; %1 if not given.</source>
+        <translation>Скорость; если не задана — %1.</translation>
+    </message>
+    <message>
+        <source>Data bits; 8 if not given.</source>
+        <translation>Биты данных; если не заданы — 8.</translation>
+    </message>
+    <message>
+        <source>Address of the station, 1…255; 1 if not given.</source>
+        <translation>Адрес станции, 1…255; если не задан — 1.</translation>
+    </message>
+    <message>
+        <source>read: data command, 1…8; 4 if not given.</source>
+        <translation>read: команда, 1…8; если не задана — 4.</translation>
+    </message>
+    <message>
+        <source>Codes of its parameters in order; U,T,P,H,A,M if not given.</source>
+        <translation>Коды её параметров по порядку; если не заданы — U,T,P,H,A,M.</translation>
+    </message>
+    <message>
+        <source>Its ACK.PAR file, which has their codes, names and units.</source>
+        <translation>Её файл ACK.PAR: коды, названия и единицы.</translation>
+    </message>
+    <message>
+        <source>read: control word of the outputs; 0 if not given.</source>
+        <translation>read: управляющее слово выходов; если не задано — 0.</translation>
+    </message>
+    <message>
+        <source>set-time: the clock of the station shows UTC, not local time.</source>
+        <translation>set-time: часы станции показывают UTC, а не местное время.</translation>
+    </message>
+    <message>
+        <source>send-file: the name that the station gets; that of the file if not given.</source>
+        <translation>send-file: имя, под которым файл получит станция; если не задано — имя файла.</translation>
+    </message>
+    <message>
+        <source>not confirmed (%1)</source>
+        <translation>не подтверждено (%1)</translation>
+    </message>
+    <message>
+        <source>Set the clock of station %1?</source>
+        <translation>Поставить часы станции %1?</translation>
+    </message>
+    <message>
+        <source>The clock of the station shows %1.</source>
+        <translation>Часы станции показывают %1.</translation>
+    </message>
+    <message>
+        <source>Give the outputs of station %1 the word %2?</source>
+        <translation>Задать выходам станции %1 слово %2?</translation>
+    </message>
+    <message>
+        <source>The outputs have the word %1. A server that polls the station must have it as Outputs{i} too.</source>
+        <translation>У выходов слово %1. У сервера, который опрашивает станцию, оно должно стоять и в Outputs{i}.</translation>
+    </message>
+    <message>
+        <source>longer than 64 KiB</source>
+        <translation>длиннее 64 КиБ</translation>
+    </message>
+    <message>
+        <source>Send %1 to station %2?</source>
+        <translation>Передать %1 станции %2?</translation>
+    </message>
+    <message>
+        <source>The station has %1.</source>
+        <translation>%1 у станции.</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>сейчас</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>max of the period</source>
+        <translation>макс. за срок</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>напряжение</translation>
+    </message>
+    <message>
+        <source>voltage now</source>
+        <translation>напряжение сейчас</translation>
+    </message>
+    <message>
+        <source>precipitation began %1</source>
+        <translation>осадки начались %1</translation>
+    </message>
+    <message>
+        <source>precipitation ended %1</source>
+        <translation>осадки кончились %1</translation>
+    </message>
+    <message>
+        <source>the station has no data</source>
+        <translation>у станции нет данных</translation>
+    </message>
+    <message>
+        <source>digital inputs: %1</source>
+        <translation>цифровые входы: %1</translation>
+    </message>
+    <message>
+        <source>gorizont-tool mk14 --help tells of МК-14 weather stations.</source>
+        <translation>О метеостанциях МК-14 — gorizont-tool mk14 --help.</translation>
     </message>
 </context>
 </TS>

@@ -77,7 +77,9 @@ SourceRunner::~SourceRunner()
     std::unique_lock lock(m_shared->mutex);
     m_shared->isEnding = true;
     m_shared->changed.notify_all();
-    m_shared->changed.wait_for(lock, endLimit, [this] { return m_shared->hasEnded; });
+    if (!m_isAbandoned) {
+        m_shared->changed.wait_for(lock, endLimit, [this] { return m_shared->hasEnded; });
+    }
 }
 
 void SourceRunner::run(const std::shared_ptr<Shared> &shared)

@@ -29,6 +29,8 @@ public:
     /// Why it has died or could not be opened; empty: it lives.
     QString problem() const;
     void setOutputs(quint32 outputs);
+    /// It hangs: the end will not wait for it.
+    void abandon() { m_isAbandoned = true; }
 
 private:
     struct Shared;
@@ -36,6 +38,7 @@ private:
 
     QString m_name;
     std::shared_ptr<Shared> m_shared;
+    bool m_isAbandoned = false;
 };
 
 /// All sources of a station and the watch over them: one that dies is made anew after a pause, one that says nothing for as long

@@ -57,6 +57,7 @@ void SourceWatch::takeFrom(Watched &watched, SteadyTime now, RawSample &sum)
     if (const QString why = watched.runner->problem(); !why.isEmpty()) {
         bury(watched, why, now);
     } else if (m_watchdog.count() > 0 && now - watched.lastHeard > m_watchdog) {
+        watched.runner->abandon();
         bury(watched, Text::tr("it has said nothing for %1 s").arg(m_watchdog.count()), now);
     }
 }

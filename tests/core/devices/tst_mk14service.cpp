@@ -25,7 +25,7 @@ Service service(bool isClockUtc = true)
 const QByteArray askMeans = hex("BB 03 01 00 A5 00 00 00 9C");
 const QByteArray noData = hex("BB 03 00 00 A5 00 00 00 9D");
 const QByteArray confirmation = hex("BB 03 00 00 00 00 00 00 42");
-const QByteArray time = hex("BB 03 FF 00 00 F1 53 65 9A"); // 1700000000
+const QByteArray clockRequest = hex("BB 03 FF 00 00 F1 53 65 9A"); // 1700000000
 const QByteArray file = hex("BB 03 FF 07 07 00 00 00 35  41 43 4B 2E 50 53 45 31 0D 0A BB 30 0D 0A D1");
 
 } // namespace
@@ -63,7 +63,7 @@ private Q_SLOTS:
     void timeIsConfirmedByABareHeader()
     {
         FakeLine line;
-        line.expect(time, hex("00 BB") + confirmation);
+        line.expect(clockRequest, hex("00 BB") + confirmation);
         const auto sent = service().setTime(line, 3);
         QVERIFY(sent);
         QCOMPARE(*sent, 1'700'000'000);

@@ -68,7 +68,7 @@ private Q_SLOTS:
     {
         StationLine line;
         line.advance(300s);
-        const auto driver = makeDriver(settingsFor(weatherStation()));
+        const auto driver = mk14::makeDriver(settingsFor(weatherStation()));
         QVERIFY(driver->poll(line));
         line.advance(1s);
         const auto second = driver->poll(line);
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(line.station().clock(line.elapsed()), 1'800'000'010 + shift);
         QVERIFY(service().sendFile(line, 1, "ACK.INI", "\xBB\xBB"));
         QCOMPARE(line.station().files().value("ACK.INI"), "\xBB\xBB");
-        const auto driver = makeDriver(settingsFor(weatherStation()));
+        const auto driver = mk14::makeDriver(settingsFor(weatherStation()));
         QVERIFY(driver->poll(line));
         QCOMPARE(line.station().outputs(), 0x00010005U);
     }
@@ -113,7 +113,7 @@ private Q_SLOTS:
     void faults()
     {
         StationLine line;
-        const auto driver = makeDriver(settingsFor(weatherStation()));
+        const auto driver = mk14::makeDriver(settingsFor(weatherStation()));
         line.station().setSupplyBad(true);
         const auto bad = driver->poll(line);
         QVERIFY(bad);

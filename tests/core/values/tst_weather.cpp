@@ -59,60 +59,60 @@ private Q_SLOTS:
                  "min": -4, "max": -3, "voltage": 0.125, "voltageInstant": 0.25},
                 {"code": "M", "number": 1, "name": "", "unit": "", "maxPeriod": 9, "deviation": 0.75}],
             "events": [{"start": true, "time": 1700003600}, {"start": false, "time": 1700000000}]
-    })";
+        })json";
         QJsonParseError error{};
-    const QJsonDocument wanted = QJsonDocument::fromJson(expected, &error);
-    QCOMPARE(error.errorString(), QStringLiteral("no error occurred"));
-    QCOMPARE(QJsonDocument::fromJson(readingToJson(reading, sensor, line)), wanted);
-    reading.isAnswer = false;
-    QVERIFY(
-        !QJsonDocument::fromJson(readingToJson(reading, sensor, line)).object().contains(QStringLiteral("parameters")));
-}
+        const QJsonDocument wanted = QJsonDocument::fromJson(expected, &error);
+        QCOMPARE(error.errorString(), QStringLiteral("no error occurred"));
+        QCOMPARE(QJsonDocument::fromJson(readingToJson(reading, sensor, line)), wanted);
+        reading.isAnswer = false;
+        QVERIFY(!QJsonDocument::fromJson(readingToJson(reading, sensor, line))
+                     .object()
+                     .contains(QStringLiteral("parameters")));
+    }
 
     void maximumIsTheLargerOne_data()
-{
-    using Value = std::optional<double>;
-    QTest::addColumn<Value>("maximum");
-    QTest::addColumn<Value>("maxPeriod");
-    QTest::addColumn<Value>("expected");
-    QTest::newRow("of CMD 4") << Value(9.25) << Value(9.0) << Value(9.25);
-    QTest::newRow("of CMD 8") << Value(2.5) << Value(9.0) << Value(9.0);
-    QTest::newRow("only CMD 4") << Value(0.0) << Value() << Value(0.0);
-    QTest::newRow("only CMD 8") << Value() << Value(0.0) << Value(0.0);
-    QTest::newRow("none") << Value() << Value() << Value();
-}
+    {
+        using Value = std::optional<double>;
+        QTest::addColumn<Value>("maximum");
+        QTest::addColumn<Value>("maxPeriod");
+        QTest::addColumn<Value>("expected");
+        QTest::newRow("of CMD 4") << Value(9.25) << Value(9.0) << Value(9.25);
+        QTest::newRow("of CMD 8") << Value(2.5) << Value(9.0) << Value(9.0);
+        QTest::newRow("only CMD 4") << Value(0.0) << Value() << Value(0.0);
+        QTest::newRow("only CMD 8") << Value() << Value(0.0) << Value(0.0);
+        QTest::newRow("none") << Value() << Value() << Value();
+    }
 
-void maximumIsTheLargerOne()
-{
-    QFETCH(const std::optional<double>, maximum);
-    QFETCH(const std::optional<double>, maxPeriod);
-    QFETCH(const std::optional<double>, expected);
-    WeatherParameter speed;
-    speed.code = u'M';
-    speed.maximum = maximum;
-    speed.maxPeriod = maxPeriod;
-    QCOMPARE(windOf({0, {speed}, {}}).maximum, expected);
-}
+    void maximumIsTheLargerOne()
+    {
+        QFETCH(const std::optional<double>, maximum);
+        QFETCH(const std::optional<double>, maxPeriod);
+        QFETCH(const std::optional<double>, expected);
+        WeatherParameter speed;
+        speed.code = u'M';
+        speed.maximum = maximum;
+        speed.maxPeriod = maxPeriod;
+        QCOMPARE(windOf({0, {speed}, {}}).maximum, expected);
+    }
 
-void windOfTheFirstSensors()
-{
-    const auto parameter = [](QChar code, int number, double mean) {
-        WeatherParameter made;
-        made.code = code;
-        made.number = number;
-        made.mean = mean;
-        made.deviation = mean / 10;
-        return made;
-    };
-    const Weather weather{
-        0, {parameter(u'M', 2, 7), parameter(u'A', 1, 180), parameter(u'M', 1, 5), parameter(u'A', 2, 90)}, {}};
-    QCOMPARE(windOf(weather), (Wind{5.0, 180.0, {}, 0.5, 18.0}));
-    QCOMPARE(windOf(Weather()), Wind());
-    QCOMPARE(meanOf(weather, u'A'), 180.0);
-    QVERIFY(!meanOf(weather, u'P'));
-}
-}
-;
+    void windOfTheFirstSensors()
+    {
+        const auto parameter = [](QChar code, int number, double mean) {
+            WeatherParameter made;
+            made.code = code;
+            made.number = number;
+            made.mean = mean;
+            made.deviation = mean / 10;
+            return made;
+        };
+        const Weather weather{
+            0, {parameter(u'M', 2, 7), parameter(u'A', 1, 180), parameter(u'M', 1, 5), parameter(u'A', 2, 90)}, {}};
+        QCOMPARE(windOf(weather), (Wind{5.0, 180.0, {}, 0.5, 18.0}));
+        QCOMPARE(windOf(Weather()), Wind());
+        QCOMPARE(meanOf(weather, u'A'), 180.0);
+        QVERIFY(!meanOf(weather, u'P'));
+    }
+};
 
 QTEST_APPLESS_MAIN(TstWeather)
 #include "tst_weather.moc"

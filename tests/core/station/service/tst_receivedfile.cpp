@@ -35,9 +35,29 @@ void TestReceivedFile::refuses_data()
 {
     QTest::addColumn<QByteArray>("name");
     for (const char *name :
-         {"", "ACK", "ACK.EXE", "ACK.SRC", "ack.src", "../ACK.PAR", "/etc/ACK.PAR", "sub/ACK.PAR", "..\\ACK.PAR", "C:ACK.PAR",
-          "ACK.PAR.BAK", "INPUT.P1", "INPUT.P0A", "INPUT.PP1", "INPUT.P011", "OTHER.P01", ".INPUT.P01", "../INPUT.P01",
-          "passwd", "clock.txt", "2026_11_obj001.txt", "ACK.PAR\n", " ACK.PAR"}) {
+         {"",
+          "ACK",
+          "ACK.EXE",
+          "ACK.SRC",
+          "ack.src",
+          "../ACK.PAR",
+          "/etc/ACK.PAR",
+          "sub/ACK.PAR",
+          "..\\ACK.PAR",
+          "C:ACK.PAR",
+          "ACK.PAR.BAK",
+          "INPUT.P1",
+          "INPUT.P0A",
+          "INPUT.PP1",
+          "INPUT.P011",
+          "OTHER.P01",
+          ".INPUT.P01",
+          "../INPUT.P01",
+          "passwd",
+          "clock.txt",
+          "2026_11_obj001.txt",
+          "ACK.PAR\n",
+          " ACK.PAR"}) {
         QTest::newRow(name) << QByteArray(name);
     }
     QTest::newRow("zero byte") << QByteArray("ACK.PAR\0x", 9);

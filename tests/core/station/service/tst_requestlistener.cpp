@@ -18,14 +18,14 @@ const QByteArray askSeven = hex("BB 07 01 00 00 00 00 00 3D");
 const QByteArray setTime = hex("BB 01 FF 00 00 F1 53 65 9C");
 const QByteArray ownFile = hex("BB 01 FF 07 04 00 00 00 3A 41 43 4B 2E 50 41 52 BB 01 01 00 63");
 /// Its text is askOne.
-const QByteArray foreignFile =
-    hex("BB 07 FF 07 09 00 00 00 2F 41 43 4B 2E 50 41 52 BB 01 01 00 00 00 00 00 43 20");
-/// 27 bytes of values, the first of them askOne: answers to commands 3 and 8 with two parameters and one.
-const QByteArray foreignAnswer3 = hex("BB 07 00 02 03 00 00 00 39 BB 01 01 00 00 00 00 00 43 00 00 00 00 00 00 00 00 00 00 "
-                                      "00 00 00 00 00 00");
+const QByteArray foreignFile = hex("BB 07 FF 07 09 00 00 00 2F 41 43 4B 2E 50 41 52 BB 01 01 00 00 00 00 00 43 20");
+/// askOne stands among the values of both: answers to commands 3 and 8 with two parameters and one.
+const QByteArray foreignAnswer3 =
+    hex("BB 07 00 02 03 00 00 00 39 BB 01 01 00 00 00 00 00 43 00 00 00 00 00 00 00 00 00 00 "
+        "00 00 00 00 00 00");
 const QByteArray foreignAnswer8 =
-    hex("BB 07 00 01 03 00 00 00 3A 00 00 C0 3F 00 00 80 3F 00 00 00 40 00 00 40 40 BB 01 01 00 00 00 00 00 43 00 00 00 00 "
-        "00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 82");
+    hex("BB 07 00 01 03 00 00 00 3A 00 00 C0 3F 00 00 80 3F 00 00 00 40 00 00 40 40 BB 01 01 00 00 00 00 00 43")
+    + QByteArray(31, 0) + hex("82");
 const QByteArray askSevenThree = hex("BB 07 03 00 00 00 00 00 3B");
 const QByteArray askSevenEight = hex("BB 07 08 00 00 00 00 00 36");
 const QByteArray unfinishedFile = hex("BB 01 FF 07 C8 00 00 00 76 41 43 4B 2E 50 41 52 61 62 63");

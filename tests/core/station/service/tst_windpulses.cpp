@@ -3,8 +3,8 @@
 
 #include <QTest>
 
-#include <condition_variable>
 #include <cmath>
+#include <condition_variable>
 
 using namespace gorizont::station;
 using namespace std::chrono_literals;
@@ -196,7 +196,9 @@ void TestWindPulses::countsAPort()
     QCOMPARE(source.measure({}, sample), QString());
     QVERIFY(!sample.winds[0].frequency);
     // 20 ms or more between two pulses, whatever the computer does meanwhile.
-    QVERIFY2(*sample.winds[2].frequency > 1 && *sample.winds[2].frequency <= 50, QByteArray::number(*sample.winds[2].frequency));
+    QVERIFY2(
+        *sample.winds[2].frequency > 1 && *sample.winds[2].frequency <= 50,
+        QByteArray::number(*sample.winds[2].frequency));
     QVERIFY(sample.winds[2].phase);
 }
 
