@@ -4,6 +4,7 @@
 #include "core/archive/archivereader.h"
 #include "core/config/serverconfig.h"
 #include "core/registry/sensorregistry.h"
+#include "core/station/stationfolder.h"
 #include "ui/displacement/displacementpage.h"
 #include "ui/history/historypage.h"
 #include "ui/mainwindow.h"
@@ -34,6 +35,23 @@ bool hasVibration(const SensorRegistry &registry)
     return std::ranges::any_of(registry.sensors(), [](const SensorRegistry::Sensor &sensor) {
         return sensor.config.type == SensorType::LVims;
     });
+}
+
+/// Of the stations that run in this program (`Device=station:DIR`): what their files have wrong now.
+void showStationFiles(WeatherPage &page, const SensorRegistry &registry)
+{
+    const QString scheme = QStringLiteral("station:");
+    for (const SensorRegistry::Sensor &sensor : registry.sensors()) {
+        const QString &device = registry.lines()[static_cast<std::size_t>(sensor.line)].config.device;
+        if (sensor.config.type != SensorType::Mk14 || !device.startsWith(scheme, Qt::CaseInsensitive)) {
+            continue;
+        }
+        QList<StationFileComplaint> complaints;
+        for (const station::StationComplaint &one : station::readStationIn(device.sliced(scheme.size())).complaints) {
+            complaints += {one.file, one.line, one.field, one.fieldName, one.problem, one.action};
+        }
+        page.setFileComplaints(sensor.config.number, complaints);
+    }
 }
 
 QString title(const char *text)
@@ -79,9 +97,12 @@ void addWindowPages(MainWindow &window, const PageSources &sources)
             displacement, title(QT_TRANSLATE_NOOP("WindowPages", "Displacement")), QKeySequence(Qt::Key_F8));
     }
     if (WeatherPage::hasStation(sources.registry)) {
-        window.addWidePage(
-            new WeatherPage(sources.registry), title(QT_TRANSLATE_NOOP("WindowPages", "Weather")),
-            QKeySequence(Qt::Key_F11));
+        auto *weather = new WeatherPage(sources.registry);
+        showStationFiles(*weather, sources.registry);
+        QObject::connect(&window, &MainWindow::retryRequested, weather, [weather, &registry = sources.registry] {
+            showStationFiles(*weather, registry);
+        });
+        window.addWidePage(weather, title(QT_TRANSLATE_NOOP("WindowPages", "Weather")), QKeySequence(Qt::Key_F3));
     }
 }
 

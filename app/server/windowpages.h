@@ -24,7 +24,7 @@ struct PageSources
 
 /// Adds <Графики> and <История>; <Годограф> where sensors measure tilt, <Колебания> where they measure acceleration,
 /// <Вибрация> where there is an L-VIMS, <Перемещения> where the site has chains, and <Погода> where it has a weather station.
-/// F5 asks the archive again. All sources outlive the window.
+/// F5 asks the archive again, and reads the files of stations that run in this program. All sources outlive the window.
 void addWindowPages(MainWindow &window, const PageSources &sources);
 
 } // namespace gorizont

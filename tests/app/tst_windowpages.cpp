@@ -1,7 +1,7 @@
 #include "app/server/windowpages.h"
 #include "core/alarms/alarmwatch.h"
 #include "core/archive/archivereader.h"
-#include "tests/ui/samplesite.h"
+#include "tests/ui/weathersite.h"
 #include "ui/history/daycalendar.h"
 #include "ui/mainwindow.h"
 #include "ui/pages/columnlayout.h"
@@ -38,6 +38,7 @@ private Q_SLOTS:
 
     void everyPageHasANameAndAKey_data();
     void everyPageHasANameAndAKey();
+    void complainsAboutTheFilesOfAStation();
     void arrowsMoveTheTrend();
     void layoutsOfThePagesAreKept();
     void f5AsksTheArchiveAgain_data();
@@ -69,7 +70,7 @@ private:
 void TestWindowPages::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
-    m_config = test::sampleConfig();
+    m_config = test::weatherConfig();
     m_config.archive.isOn = true;
     SensorConfig vibration;
     vibration.port = m_config.lines.first().index;
@@ -112,6 +113,7 @@ void TestWindowPages::everyPageHasANameAndAKey_data()
     QTest::newRow("displacement") << Qt::Key_F8 << u"displacementPage"_s;
     QTest::newRow("hodograph") << Qt::Key_F9 << u"xyPage"_s;
     QTest::newRow("vibration") << Qt::Key_F11 << u"vibrationPage"_s;
+    QTest::newRow("weather") << Qt::Key_F3 << u"weatherPage"_s;
     QTest::newRow("oscillations") << Qt::Key_F12 << u"waveformPage"_s;
 }
 
@@ -126,6 +128,40 @@ void TestWindowPages::everyPageHasANameAndAKey()
 }
 
 /// The key of the page is enough: nobody has to click into the plot before its keys work.
+/// Device=station:DIR: the third line of ACK.PAR has a word for a number; F5 reads the mended file.
+void TestWindowPages::complainsAboutTheFilesOfAStation()
+{
+    const auto write = [this](const QByteArray &number) {
+        QFile file(m_folder->filePath(u"ACK.PAR"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "; name units short code number type averaging format left right error c0 c1\n"
+            "Supply V U U 1 A 60 %4.1f 0 20 5 0 1\n"
+            "Temperature C T T "
+            + number + " A 60 %6.2f -60 60 5 0 20\n");
+    };
+    write("x");
+    cleanup();
+    m_config.lines[1].device = u"station:"_s + m_folder->path();
+    m_registry = std::make_unique<SensorRegistry>(m_config.lines, StatusRules());
+    m_alarms = std::make_unique<AlarmWatch>(*m_registry);
+    m_archive = std::make_unique<ArchiveReader>(ArchiveConfig{});
+    open();
+    const QAbstractItemModel *model = find<TableView>(u"stationFilesTable"_s)->model();
+    const auto complaint = [model] {
+        for (int row = 0; row < model->rowCount(); ++row) {
+            if (model->index(row, 0).data().toString() == u"ACK.PAR"_s) {
+                return model->index(row, 1).data().toString() + u' ' + model->index(row, 2).data().toString();
+            }
+        }
+        return QString();
+    };
+    QVERIFY2(complaint().startsWith(u"3 5 "_s), qPrintable(complaint()));
+    write("1");
+    press(Qt::Key_F5);
+    QCOMPARE(complaint(), QString());
+}
+
 void TestWindowPages::arrowsMoveTheTrend()
 {
     press(Qt::Key_F6);

@@ -28,12 +28,13 @@ private Q_SLOTS:
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
     }
 
-    /// COM16 with an ИН-Д3, COM17 with an АН-Д3 and an УСМ-ИСН, COM18 off.
+    /// COM16 with an ИН-Д3, COM17 with an АН-Д3, an УСМ-ИСН and a МК-14, COM18 off.
     void init()
     {
         const QList<SensorConfig> inclinometers{serviceSensor(SensorType::InD, 1, 1, 11)};
         const QList<SensorConfig> accelerometers{
-            serviceSensor(SensorType::AnD3, 1, 2, 5), serviceSensor(SensorType::UsmIsn, 2, 4, 9)};
+            serviceSensor(SensorType::AnD3, 1, 2, 5), serviceSensor(SensorType::UsmIsn, 2, 4, 9),
+            serviceSensor(SensorType::Mk14, 3, 5, 3)};
         LineConfig second = serviceLine(accelerometers);
         second.index = 5;
         second.com = 17;
@@ -83,10 +84,13 @@ private Q_SLOTS:
             reason("serviceInD3"), QStringLiteral("There is no ИН-Д3 in the list of this port."), patience);
         QCOMPARE(reason("serviceAnD3"), QString());
         QCOMPARE(reason("serviceUsm"), QString());
+        QCOMPARE(reason("serviceMk14"), QString());
+        QCOMPARE(entry("serviceMk14")->text(), QStringLiteral("Settings of the weather station МК-14 on COM17"));
         m_window->select(SiteItem::line(2));
         QCOMPARE(reason("serviceInD3"), QStringLiteral("The port is off (On=0)."));
         m_window->select(SiteItem::line(0));
         QCOMPARE(reason("serviceUsm"), QStringLiteral("There is no УСМ-ИСН in the list of this port."));
+        QCOMPARE(reason("serviceMk14"), QStringLiteral("There is no МК-14 in the list of this port."));
         m_first->isPlugged = false;
         QTRY_COMPARE_WITH_TIMEOUT(reason("serviceInD3"), QStringLiteral("The port is not open."), patience);
         QCOMPARE(reason("serviceAnD3"), QStringLiteral("The port is not open."));

@@ -54,6 +54,7 @@ private Q_SLOTS:
     void rain();
     void rainOfAUtcStation();
     void rainWithoutItsOtherEnd();
+    void filesOfAStationInThisProgram();
     void drawsOnlyWhenSeen();
     void isCopied();
     void fitsASmallWindow();
@@ -158,14 +159,18 @@ void TestWeatherPage::invalidValuesAreDashes()
     weather.parameters[1] = test::withoutValue(weather.parameters[1]);
     answer(weather);
     QCOMPARE(row("weatherTable", 1), u"Температура | T1 | °C | — | — | — | — | — | — | — | —"_s);
+    QCOMPARE(text("weatherStatus"), u"Отвечает: температура не готова."_s);
+    weather.parameters.removeAt(1); // it has no thermometer
+    answer(weather);
     QCOMPARE(text("weatherStatus"), u"Отвечает."_s);
+    weather = test::sampleWeather();
     for (WeatherParameter &parameter : weather.parameters) {
         parameter = test::withoutValue(parameter);
     }
     answer(weather);
     QCOMPARE(text("weatherStatus"), u"Станция отвечает, но ни одно из её значений не достоверно."_s);
     QCOMPARE(wind(u"Скорость, м/с"_s), u"—"_s);
-    QCOMPARE(wind(u"Отсчётов"_s), u"1"_s); // of the answer before
+    QCOMPARE(wind(u"Отсчётов"_s), u"2"_s); // of the answers before
 }
 
 void TestWeatherPage::windAsNumbers()
@@ -263,7 +268,7 @@ void TestWeatherPage::badSupply()
     reading.weather->parameters[0].mean.reset();
     m_registry->update({reading});
     m_page->refresh();
-    QVERIFY(text("weatherStatus").startsWith(u"Напряжение питания датчиков станции не в норме"_s));
+    QVERIFY(text("weatherStatus").startsWith(u"Напряжение питания датчиков станции не в норме: "_s));
     QVERIFY(row("weatherTable", 0).startsWith(u"Напряжение питания | U1 | В | — |"_s));
 }
 
@@ -391,6 +396,24 @@ void TestWeatherPage::rainWithoutItsOtherEnd()
     QCOMPARE(row("rainTable", 1), u"01.01.1970 00:00:40 | — | —"_s);
 }
 
+void TestWeatherPage::filesOfAStationInThisProgram()
+{
+    open(2);
+    m_page->setFileComplaints(
+        8,
+        {{u"ACK.PAR"_s, 3, 9, u"левая граница"_s, u"Это не число."_s, u"Параметр пропущен."_s},
+         {u"ACK.PSE"_s, 0, 0, {}, u"Файла нет."_s, {}}});
+    const auto *table = find<TableView>("stationFilesTable");
+    QVERIFY(table->isHidden()); // N 7 has none
+    m_page->showStation(8);
+    QVERIFY(!table->isHidden());
+    QCOMPARE(table->model()->rowCount(), 2);
+    QCOMPARE(row("stationFilesTable", 0), u"ACK.PAR | 3 | 9 (левая граница) | Это не число. | Параметр пропущен."_s);
+    QCOMPARE(row("stationFilesTable", 1), u"ACK.PSE | — | — | Файла нет. | —"_s);
+    m_page->setFileComplaints(8, {});
+    QVERIFY(table->isHidden());
+}
+
 void TestWeatherPage::drawsOnlyWhenSeen()
 {
     const auto *model = find<TableView>("weatherTable")->model();
@@ -434,7 +457,7 @@ void TestWeatherPage::fitsASmallWindow()
 
 void TestWeatherPage::modelsKeepTheRules()
 {
-    for (const char *name : {"weatherTable", "rainTable", "windTable"}) {
+    for (const char *name : {"weatherTable", "rainTable", "windTable", "stationFilesTable"}) {
         new QAbstractItemModelTester(
             find<TableView>(name)->model(), QAbstractItemModelTester::FailureReportingMode::QtTest, m_page.get());
     }

@@ -19,6 +19,8 @@ inline SensorConfig weatherStation(int index, int number, int address)
     sensor.model = QStringLiteral("MK-14");
     sensor.name = QStringLiteral("Метео (МК-14)");
     sensor.place = QStringLiteral("Крыша");
+    sensor.measuresTemperature = true;
+    sensor.measuresWeather = true;
     return sensor;
 }
 
@@ -74,7 +76,7 @@ inline Weather sampleWeather()
     return weather;
 }
 
-/// An answer with \a weather, as a МК-14 gives it: neither tilt nor acceleration.
+/// An answer with \a weather, as a МК-14 gives it: a temperature, neither tilt nor acceleration.
 inline Reading weatherReading(int number, const Weather &weather, SteadyTime now)
 {
     Reading reading;
@@ -82,8 +84,11 @@ inline Reading weatherReading(int number, const Weather &weather, SteadyTime now
     reading.time = utcNow();
     reading.isAnswer = true;
     reading.answeredAt = now;
-    reading.status = statusbit::TiltInvalid | statusbit::TemperatureInvalid | statusbit::AccelerationInvalid;
+    reading.status = statusbit::TiltInvalid | statusbit::AccelerationInvalid;
     reading.weather = weather;
+    const WeatherParameter *temperature = weather.find(weathercode::temperature);
+    reading.temperature = temperature ? temperature->mean : std::nullopt;
+    reading.status |= reading.temperature ? 0 : statusbit::TemperatureInvalid;
     return reading;
 }
 

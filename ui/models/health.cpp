@@ -26,6 +26,13 @@ bool lacksValues(const SensorConfig &sensor, const Reading &reading)
         || (reading.vibration && hasTroubledChannel(*reading.vibration));
 }
 
+/// A weather station may have no thermometer, and lacks nothing then.
+bool isStationWithoutThermometer(const Reading &reading)
+{
+    return reading.weather && !reading.weather->parameters.isEmpty()
+        && !reading.weather->find(weathercode::temperature);
+}
+
 } // namespace
 
 Health lineHealth(LineState state)
@@ -52,6 +59,9 @@ Health sensorHealth(const SensorRegistry::Sensor &sensor, LineState line)
     }
     if (isCritical(status)) {
         return Health::Error;
+    }
+    if (sensor.reading.answeredAt && isStationWithoutThermometer(sensor.reading)) {
+        return Health::Good;
     }
     if (!sensor.reading.answeredAt) {
         return Health::Unknown;

@@ -1,5 +1,6 @@
 #include "ui/models/weathertext.h"
 
+#include "core/values/wind.h"
 #include "ui/models/health.h"
 #include "ui/models/valuetext.h"
 #include "ui/models/windrose.h"
@@ -30,12 +31,6 @@ int decimals(QChar code)
                                          {weathercode::windDirection, 0}, {weathercode::windSpeed, 1},
                                          {weathercode::windVector, 1}};
     return usual.value(code, others);
-}
-
-std::optional<double> meanOf(const Weather &weather, QChar code)
-{
-    const WeatherParameter *parameter = weather.find(code);
-    return parameter ? parameter->mean : std::nullopt;
 }
 
 } // namespace

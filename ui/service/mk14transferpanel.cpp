@@ -37,6 +37,7 @@ QLabel *sentence(const QString &text, QWidget *parent)
 Mk14TransferPanel::Mk14TransferPanel(QWidget *parent)
     : QWidget(parent)
 {
+    setObjectName(QStringLiteral("mk14Transfer"));
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(makeClock());
     layout->addWidget(makeFile());

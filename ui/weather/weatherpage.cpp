@@ -68,6 +68,8 @@ WeatherPage::WeatherPage(const SensorRegistry &registry, QWidget *parent, Clock 
     , m_rainTable(new TableView(QStringLiteral("rainTable"), this))
     , m_parameters(new WeatherModel(this))
     , m_table(new TableView(QStringLiteral("weatherTable"), this))
+    , m_files(new StationFilesModel(this))
+    , m_filesTable(new TableView(QStringLiteral("stationFilesTable"), this))
     , m_tick(new QTimer(this))
 {
     setObjectName(QStringLiteral("weatherPage"));
@@ -97,6 +99,12 @@ void WeatherPage::showStation(int number)
 int WeatherPage::station() const
 {
     return m_stations->currentData().toInt();
+}
+
+void WeatherPage::setFileComplaints(int number, const QList<StationFileComplaint> &complaints)
+{
+    m_complaints.insert(number, complaints);
+    refresh();
 }
 
 const SensorRegistry::Sensor *WeatherPage::sensor() const
@@ -144,6 +152,8 @@ void WeatherPage::refresh()
     showParameters(*station, shown);
     showRain(*station);
     showWind(station->config.number, shown);
+    m_files->setComplaints(m_complaints.value(station->config.number));
+    m_filesTable->setVisible(m_files->rowCount() > 0);
     showAge();
 }
 
@@ -158,8 +168,7 @@ QString WeatherPage::statusOf(const SensorRegistry::Sensor &sensor, const Weathe
         return tr("The station answers, but it has no data yet.");
     }
     if (statusCode(sensor.reading.status) == StatusCode::TransducerSilent) {
-        return tr("The supply voltage of the station's sensors is bad: its values are not to be trusted. Check the "
-                  "power supply.");
+        return tr("%1: its values are not to be trusted. Check the power supply.").arg(statetext::sensor(sensor, line));
     }
     if (!hasAnyValue(*shown)) {
         return tr("The station answers, but none of its values is valid.");

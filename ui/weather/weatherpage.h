@@ -2,6 +2,7 @@
 
 #include "core/registry/sensorregistry.h"
 #include "ui/weather/precipitation.h"
+#include "ui/weather/stationfilesmodel.h"
 
 #include <QWidget>
 
@@ -34,6 +35,9 @@ public:
 
     void showStation(int number);
     int station() const; ///< N; 0: there is none
+
+    /// What is wrong with the files of station N \a number, which runs in this program; shown with it.
+    void setFileComplaints(int number, const QList<StationFileComplaint> &complaints);
 
     /// Draws the station by its last reading; by itself while the page is seen and something has changed.
     void refresh();
@@ -75,6 +79,9 @@ private:
     TableView *m_rainTable;
     WeatherModel *m_parameters;
     TableView *m_table;
+    StationFilesModel *m_files;
+    TableView *m_filesTable; ///< hidden while there is nothing to complain about
+    QHash<int, QList<StationFileComplaint>> m_complaints; ///< N → of its files
     QTimer *m_tick; ///< while the page is seen
     bool m_isDirty = true; ///< something came since the last drawing
 };

@@ -5,6 +5,7 @@
 #include "ui/pages/tableview.h"
 #include "ui/weather/inputlamps.h"
 #include "ui/weather/precipitationmodel.h"
+#include "ui/weather/stationfilesmodel.h"
 #include "ui/weather/weathermodel.h"
 #include "ui/weather/weatherpage.h"
 #include "ui/weather/windroseview.h"
@@ -34,6 +35,15 @@ void setRainColumns(TableColumns &columns)
     columns.setSample(PrecipitationModel::Begin, QStringLiteral("28.11.2026 23:59:59"));
     columns.setSample(PrecipitationModel::End, QStringLiteral("28.11.2026 23:59:59"));
     columns.setElastic(PrecipitationModel::Duration, QStringLiteral("100:00:00"));
+}
+
+void setFileColumns(TableColumns &columns)
+{
+    columns.setSample(StationFilesModel::File, QStringLiteral("CORRECT.M10"));
+    columns.setSample(StationFilesModel::Line, QStringLiteral("1000"));
+    columns.setSample(StationFilesModel::Field, QString(20, u'n'));
+    columns.setElastic(StationFilesModel::Problem, QString(40, u'n'));
+    columns.setSample(StationFilesModel::Action, QString(30, u'n'));
 }
 
 QLabel *heading(const QString &text, QWidget *parent)
@@ -137,8 +147,14 @@ void WeatherPage::build()
     QSplitter *rows = makeSplitter(Qt::Vertical, QStringLiteral("weatherRows"), this);
     rows->addWidget(upper);
     rows->addWidget(m_table);
+    m_filesTable->setModel(m_files);
+    m_filesTable->setAccessibleName(tr("Errors in the files of the station"));
+    setFileColumns(m_filesTable->columns());
+    m_filesTable->hide();
+    rows->addWidget(m_filesTable);
     rows->setStretchFactor(0, 3);
     rows->setStretchFactor(1, 2);
+    rows->setStretchFactor(2, 1);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
