@@ -22,6 +22,15 @@ QStringList registrationArguments(int port, const QByteArray &hash, const QStrin
 
 #ifdef Q_OS_WIN
 
+namespace {
+
+struct RegistrationText
+{
+    Q_DECLARE_TR_FUNCTIONS(GatewayRegistration)
+};
+
+} // namespace
+
 bool canRegisterGateways()
 {
     return true;
@@ -29,19 +38,27 @@ bool canRegisterGateways()
 
 void registerGateway(const QStringList &arguments, QObject *context, const std::function<void(QString)> &done)
 {
-    const auto tr = [](const char *text) { return QCoreApplication::translate("GatewayRegistration", text); };
     const QString gateway =
         QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("gorizont-opc-da.exe"));
     if (!QFileInfo::exists(gateway)) {
-        done(tr("%1 is missing. Install the program with its OPC DA part.").arg(QDir::toNativeSeparators(gateway)));
+        done(RegistrationText::tr("%1 is missing. Install the program with its OPC DA part.")
+                 .arg(QDir::toNativeSeparators(gateway)));
         return;
     }
     auto *process = new QProcess(context);
-    QObject::connect(process, &QProcess::finished, context, [process, done, tr](int code, QProcess::ExitStatus) {
+    QObject::connect(process, &QProcess::finished, context, [process, done](int code, QProcess::ExitStatus) {
         process->deleteLater();
         done(
-            code == 0 ? QString()
-                      : tr("Windows has refused it (error %1). Start the program once as administrator.").arg(code));
+            code == 0
+                ? QString()
+                : RegistrationText::tr("Windows has refused it (error %1). Start the program once as administrator.")
+                      .arg(code));
+    });
+    QObject::connect(process, &QProcess::errorOccurred, context, [process, done](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart) {
+            process->deleteLater();
+            done(RegistrationText::tr("The gateway does not start (%1).").arg(process->errorString()));
+        }
     });
     process->start(gateway, arguments);
 }

@@ -55,8 +55,8 @@ bool OpcSetup::writeFiles()
     }
     tell(
         JournalKind::Info,
-        tr("OPC DA: the list of tags is new, %n tag(s). It was written to %1.", nullptr,
-           static_cast<int>(m_tags.size()))
+        tr("OPC DA: the list of tags is new (tags: %1). It was written to %2.")
+            .arg(m_tags.size())
             .arg(QDir::toNativeSeparators(listFile())));
     return true;
 }
