@@ -1,12 +1,10 @@
-#include "com/enumerators.h"
+#include "app/opc-da/com/enumerators.h"
 
-#include "com/variants.h"
+#include "app/opc-da/com/variants.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 /// Low and high end of the scale, as the specification wants them for an analog item.
 VARIANT range(double low, double high)
@@ -45,7 +43,8 @@ OPCITEMATTRIBUTES handed(const ItemAttributes &item)
 } // namespace
 
 ItemEnumerator::ItemEnumerator(std::vector<ItemAttributes> items, std::size_t position)
-    : m_items(std::move(items)), m_position(position)
+    : m_items(std::move(items))
+    , m_position(position)
 {
 }
 

@@ -1,12 +1,11 @@
 #pragma once
-#include "com/object.h"
-#include "com/taskmemory.h"
+#include "app/opc-da/com/object.h"
+#include "app/opc-da/com/taskmemory.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace opcda
-{
+namespace opcda {
 
 // How each kind of element is handed to a client.
 inline void hand(const Text &element, LPOLESTR *target)
@@ -23,7 +22,8 @@ inline void hand(const ComPtr<IConnectionPoint> &element, IConnectionPoint **tar
 }
 
 /// A subscription as an enumerator shows it.
-struct Connection {
+struct Connection
+{
     ComPtr<IUnknown> sink;
     DWORD cookie;
 };
@@ -34,12 +34,12 @@ inline void hand(const Connection &element, CONNECTDATA *target)
 }
 
 /// A list as it was when the client asked, walked through by Next, Skip, Reset and Clone.
-template <class Interface, class Element, class Handed>
-class Enumerator final : public Object<Interface>
+template <class Interface, class Element, class Handed> class Enumerator final : public Object<Interface>
 {
 public:
     explicit Enumerator(std::vector<Element> elements, std::size_t position = 0)
-        : m_elements(std::move(elements)), m_position(position)
+        : m_elements(std::move(elements))
+        , m_position(position)
     {
     }
 
@@ -88,7 +88,8 @@ using PointEnumerator = Enumerator<IEnumConnectionPoints, ComPtr<IConnectionPoin
 using ConnectionEnumerator = Enumerator<IEnumConnections, Connection, CONNECTDATA>;
 
 /// What CreateEnumerator of a group tells of an item.
-struct ItemAttributes {
+struct ItemAttributes
+{
     Text id;
     bool isActive = true;
     OPCHANDLE client = 0;

@@ -1,9 +1,8 @@
-#include "com/factory.h"
+#include "app/opc-da/com/factory.h"
 
-#include "com/server.h"
+#include "app/opc-da/com/server.h"
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Factory::CreateInstance(IUnknown *outer, REFIID wanted, void **target)
 try {

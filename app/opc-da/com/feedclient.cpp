@@ -1,12 +1,10 @@
-#include "com/feedclient.h"
+#include "app/opc-da/com/feedclient.h"
 
 #include <thread>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 constexpr DWORD Silence = 6000; ///< ms, two pings of the main program and some more
 constexpr auto Pause = std::chrono::seconds(2);
@@ -16,7 +14,8 @@ constexpr std::size_t LongestLine = 4 << 20;
 class Conversation
 {
 public:
-    explicit Conversation(unsigned short port) : m_socket(socket(AF_INET, SOCK_STREAM, IPPROTO_TCP))
+    explicit Conversation(unsigned short port)
+        : m_socket(socket(AF_INET, SOCK_STREAM, IPPROTO_TCP))
     {
         sockaddr_in address{};
         address.sin_family = AF_INET;
@@ -45,7 +44,10 @@ private:
 } // namespace
 
 FeedClient::FeedClient(Gate &gate, Settings settings, HANDLE ready, HANDLE ended)
-    : m_gate(gate), m_settings(std::move(settings)), m_ready(ready), m_ended(ended)
+    : m_gate(gate)
+    , m_settings(std::move(settings))
+    , m_ready(ready)
+    , m_ended(ended)
 {
 }
 

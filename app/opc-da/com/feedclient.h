@@ -1,9 +1,8 @@
 #pragma once
-#include "com/gate.h"
-#include "com/settings.h"
+#include "app/opc-da/com/gate.h"
+#include "app/opc-da/com/settings.h"
 
-namespace opcda
-{
+namespace opcda {
 
 /// Reads the feed of the main program on a thread of its own, for as long as the process lives: connects, reconnects every
 /// 2 s, treats 6 s of silence as the end of a connection.

@@ -1,9 +1,8 @@
-#include "com/gate.h"
+#include "app/opc-da/com/gate.h"
 
-#include "com/group.h"
+#include "app/opc-da/com/group.h"
 
-namespace opcda
-{
+namespace opcda {
 
 Gate::Gate(std::string registeredHash, const std::vector<Tag> &knownTags)
     : m_book(std::move(registeredHash), unixMilliseconds())

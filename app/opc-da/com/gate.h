@@ -1,12 +1,11 @@
 #pragma once
-#include "com/variants.h"
-#include "pure/tagbook.h"
+#include "app/opc-da/com/variants.h"
+#include "app/opc-da/pure/tagbook.h"
 
 #include <memory>
 #include <mutex>
 
-namespace opcda
-{
+namespace opcda {
 
 class Session;
 
@@ -18,8 +17,7 @@ public:
     Gate(std::string registeredHash, const std::vector<Tag> &knownTags);
 
     /// Runs `work` under the lock; lack of memory becomes a result code.
-    template <class Work>
-    HRESULT locked(Work work)
+    template <class Work> HRESULT locked(Work work)
     try {
         const std::scoped_lock lock(m_mutex);
         return work();

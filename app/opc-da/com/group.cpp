@@ -1,9 +1,8 @@
-#include "com/group.h"
+#include "app/opc-da/com/group.h"
 
-#include "pure/engineering.h"
+#include "app/opc-da/pure/engineering.h"
 
-namespace opcda
-{
+namespace opcda {
 
 Notice::~Notice()
 {
@@ -12,8 +11,11 @@ Notice::~Notice()
 }
 
 Group::Group(std::shared_ptr<Session> session, GroupSettings settings, std::map<OPCHANDLE, Item> items)
-    : m_session(std::move(session)), m_handle(m_session->gate().nextHandle()), m_settings(std::move(settings)),
-      m_items(std::move(items)), m_callbacks(m_session->gate(), this)
+    : m_session(std::move(session))
+    , m_handle(m_session->gate().nextHandle())
+    , m_settings(std::move(settings))
+    , m_items(std::move(items))
+    , m_callbacks(m_session->gate(), this)
 {
     m_callbacks.changed = [this] {
         forget();
@@ -85,14 +87,15 @@ void Group::publish(std::unique_lock<std::mutex> &lock, Clock::time_point now)
             if (!item.isActive || (item.sent && item.sent->version == state.version))
                 continue;
             const Scale scale = scaleOf(book().names().at(item.tag));
-            if (item.sent && !isNews(*item.sent, state, item.deadband.value_or(m_settings.deadband), scale.low, scale.high))
+            if (item.sent
+                && !isNews(*item.sent, state, item.deadband.value_or(m_settings.deadband), scale.low, scale.high))
                 continue;
             item.sent = state;
             add(notice, item, state);
         }
     }
-    const bool isAliveDue
-        = m_settings.keepAlive > 0 && now >= m_lastCall + std::chrono::milliseconds(m_settings.keepAlive);
+    const bool isAliveDue =
+        m_settings.keepAlive > 0 && now >= m_lastCall + std::chrono::milliseconds(m_settings.keepAlive);
     if (!notice.handles.empty() || isAliveDue)
         call(lock, notice, 0, false);
 }
@@ -118,7 +121,8 @@ void Group::call(std::unique_lock<std::mutex> &lock, Notice &notice, DWORD trans
     if (!sink || isGone())
         return;
     const bool isGoodThroughout = std::all_of(notice.qualities.begin(), notice.qualities.end(), quality::isGood);
-    const bool isWithoutError = std::all_of(notice.errors.begin(), notice.errors.end(), [](HRESULT e) { return e == S_OK; });
+    const bool isWithoutError =
+        std::all_of(notice.errors.begin(), notice.errors.end(), [](HRESULT e) { return e == S_OK; });
     const auto count = static_cast<DWORD>(notice.handles.size());
     const OPCHANDLE client = m_settings.client;
     m_lastCall = Clock::now();
@@ -134,7 +138,8 @@ void Group::call(std::unique_lock<std::mutex> &lock, Notice &notice, DWORD trans
     const auto method = isReading ? &IOPCDataCallback::OnReadComplete : &IOPCDataCallback::OnDataChange;
     const HRESULT result = (sink.Get()->*method)(
         transaction, client, isGoodThroughout ? S_OK : S_FALSE, isWithoutError ? S_OK : S_FALSE, count,
-        notice.handles.data(), notice.values.data(), notice.qualities.data(), notice.times.data(), notice.errors.data());
+        notice.handles.data(), notice.values.data(), notice.qualities.data(), notice.times.data(),
+        notice.errors.data());
     lock.lock();
     ComPtr<IOPCDataCallback> lost;
     if (opcda::isGone(result) && m_callbacks.sink() == sink)

@@ -1,12 +1,12 @@
 #pragma once
-#include "com/session.h"
-#include "com/sink.h"
+#include "app/opc-da/com/session.h"
+#include "app/opc-da/com/sink.h"
 
-namespace opcda
-{
+namespace opcda {
 
 /// What a client set of a group; CloneGroup copies it.
-struct GroupSettings {
+struct GroupSettings
+{
     Text name;
     bool isActive = true;
     DWORD rate = 0; ///< ms, as revised
@@ -18,18 +18,20 @@ struct GroupSettings {
 };
 
 /// One item in a group.
-struct Item {
+struct Item
+{
     int tag = 0; ///< index in the book
-    Text id;     ///< as the client wrote it
+    Text id; ///< as the client wrote it
     bool isActive = true;
     OPCHANDLE client = 0;
     VARTYPE requested = VT_EMPTY;
     std::optional<float> deadband; ///< percent; the group's when not set
-    std::optional<TagState> sent;  ///< what the client was told last
+    std::optional<TagState> sent; ///< what the client was told last
 };
 
 /// The arguments of one callback.
-struct Notice {
+struct Notice
+{
     std::vector<OPCHANDLE> handles;
     std::vector<VARIANT> values;
     std::vector<WORD> qualities;
@@ -43,8 +45,9 @@ struct Notice {
 };
 
 /// A group of a client: items, their reading and their subscription. Its methods come on any thread.
-class Group final : public Object<IOPCItemMgt, IOPCGroupStateMgt2, IOPCSyncIO2, IOPCAsyncIO3, IOPCItemDeadbandMgt,
-                                  IConnectionPointContainer>
+class Group final
+    : public Object<
+          IOPCItemMgt, IOPCGroupStateMgt2, IOPCSyncIO2, IOPCAsyncIO3, IOPCItemDeadbandMgt, IConnectionPointContainer>
 {
 public:
     /// Under the lock. The items of another group come along when it is cloned.
@@ -107,7 +110,8 @@ public:
     STDMETHODIMP ReadMaxAge(
         DWORD count, OPCHANDLE *items, DWORD *maxAges, DWORD transaction, DWORD *cancelId, HRESULT **errors) override;
     STDMETHODIMP WriteVQT(
-        DWORD count, OPCHANDLE *items, OPCITEMVQT *values, DWORD transaction, DWORD *cancelId, HRESULT **errors) override;
+        DWORD count, OPCHANDLE *items, OPCITEMVQT *values, DWORD transaction, DWORD *cancelId,
+        HRESULT **errors) override;
     STDMETHODIMP RefreshMaxAge(DWORD maxAge, DWORD transaction, DWORD *cancelId) override;
 
     // IOPCItemDeadbandMgt
@@ -126,20 +130,17 @@ private:
     bool isGone() const { return m_isRemoved || m_session->isClosed(); }
     TagBook &book() const { return m_session->gate().book(); }
     /// Runs `work` under the lock unless the group has been removed.
-    template <class Work>
-    HRESULT locked(Work work)
+    template <class Work> HRESULT locked(Work work)
     {
         return m_session->gate().locked([&]() -> HRESULT { return isGone() ? E_FAIL : work(); });
     }
     /// Runs `work(position, item)` for each handle and gathers the results; S_FALSE when not all are S_OK.
-    template <class Work>
-    HRESULT forEach(DWORD count, const OPCHANDLE *items, HRESULT **errors, Work work);
+    template <class Work> HRESULT forEach(DWORD count, const OPCHANDLE *items, HRESULT **errors, Work work);
 
     HRESULT checked(const OPCITEMDEF &wanted, Item &item, OPCITEMRESULT &result) const;
     TagState stateNow(const Item &item, bool fromCache) const;
     void add(Notice &notice, const Item &item, const TagState &state) const;
-    void call(
-        std::unique_lock<std::mutex> &lock, Notice &notice, DWORD transaction, bool isReading);
+    void call(std::unique_lock<std::mutex> &lock, Notice &notice, DWORD transaction, bool isReading);
     HRESULT checkHeard(); ///< CONNECT_E_NOCONNECTION when nobody has subscribed
     HRESULT refresh(DWORD transaction, DWORD *cancelId);
     void forget(); ///< every item counts as not yet told
@@ -156,8 +157,7 @@ private:
     Clock::time_point m_lastCall = Clock::now();
 };
 
-template <class Work>
-HRESULT Group::forEach(DWORD count, const OPCHANDLE *items, HRESULT **errors, Work work)
+template <class Work> HRESULT Group::forEach(DWORD count, const OPCHANDLE *items, HRESULT **errors, Work work)
 {
     if (!cleared(errors) || !items || count == 0)
         return E_INVALIDARG;

@@ -1,9 +1,8 @@
 // IOPCAsyncIO2 and IOPCAsyncIO3 of a group. What the main program has told is the newest there is, so a reading «from the
 // device» and one from the cache differ only for inactive items.
-#include "com/group.h"
+#include "app/opc-da/com/group.h"
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Group::checkHeard()
 {
@@ -43,8 +42,7 @@ HRESULT Group::ReadMaxAge(
     return maxAges ? Read(count, items, transaction, cancelId, errors) : (cleared(errors), E_INVALIDARG);
 }
 
-HRESULT Group::Write(
-    DWORD count, OPCHANDLE *items, VARIANT *values, DWORD, DWORD *cancelId, HRESULT **errors)
+HRESULT Group::Write(DWORD count, OPCHANDLE *items, VARIANT *values, DWORD, DWORD *cancelId, HRESULT **errors)
 {
     if (!cancelId)
         return cleared(errors), E_INVALIDARG;
@@ -54,8 +52,7 @@ HRESULT Group::Write(
     return Write(count, items, values, errors);
 }
 
-HRESULT Group::WriteVQT(
-    DWORD count, OPCHANDLE *items, OPCITEMVQT *values, DWORD, DWORD *cancelId, HRESULT **errors)
+HRESULT Group::WriteVQT(DWORD count, OPCHANDLE *items, OPCITEMVQT *values, DWORD, DWORD *cancelId, HRESULT **errors)
 {
     if (!cancelId)
         return cleared(errors), E_INVALIDARG;

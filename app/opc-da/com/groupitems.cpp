@@ -1,10 +1,9 @@
 // IOPCItemMgt and IOPCItemDeadbandMgt of a group.
-#include "com/group.h"
-#include "pure/engineering.h"
-#include "pure/types.h"
+#include "app/opc-da/com/group.h"
+#include "app/opc-da/pure/engineering.h"
+#include "app/opc-da/pure/types.h"
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Group::checked(const OPCITEMDEF &wanted, Item &item, OPCITEMRESULT &result) const
 {

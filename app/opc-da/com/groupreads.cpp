@@ -1,8 +1,7 @@
 // IOPCSyncIO and IOPCSyncIO2 of a group.
-#include "com/group.h"
+#include "app/opc-da/com/group.h"
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Group::Read(OPCDATASOURCE source, DWORD count, OPCHANDLE *items, OPCITEMSTATE **states, HRESULT **errors)
 try {
@@ -26,7 +25,8 @@ try {
 }
 
 HRESULT Group::ReadMaxAge(
-    DWORD count, OPCHANDLE *items, DWORD *maxAges, VARIANT **values, WORD **qualities, FILETIME **times, HRESULT **errors)
+    DWORD count, OPCHANDLE *items, DWORD *maxAges, VARIANT **values, WORD **qualities, FILETIME **times,
+    HRESULT **errors)
 try {
     if (!cleared(values) || !cleared(qualities) || !cleared(times) || !cleared(errors) || !maxAges)
         return E_INVALIDARG;

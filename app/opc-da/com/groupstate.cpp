@@ -1,8 +1,7 @@
 // IOPCGroupStateMgt and IOPCGroupStateMgt2 of a group.
-#include "com/group.h"
+#include "app/opc-da/com/group.h"
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Group::GetState(
     DWORD *rate, BOOL *isActive, LPWSTR *name, LONG *timeBias, FLOAT *deadband, DWORD *locale, OPCHANDLE *client,

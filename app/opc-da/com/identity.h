@@ -1,8 +1,7 @@
 #pragma once
-#include "com/platform.h"
+#include "app/opc-da/com/platform.h"
 
-namespace opcda
-{
+namespace opcda {
 
 /// Who this server is to COM. Never given to another program, never changed.
 constexpr CLSID ServerClsid{0x7b0f5c1e, 0x9a34, 0x4c0d, {0x8e, 0x61, 0x2d, 0x6f, 0x0b, 0x93, 0xa7, 0x14}};

@@ -1,10 +1,8 @@
-#include "com/locale.h"
+#include "app/opc-da/com/locale.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 constexpr bool isDefault(LCID locale)
 {
     return locale == 0 || locale == LOCALE_SYSTEM_DEFAULT || locale == LOCALE_USER_DEFAULT;

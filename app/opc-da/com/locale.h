@@ -1,11 +1,10 @@
 #pragma once
-#include "com/windowstext.h"
-#include "pure/messages.h"
+#include "app/opc-da/com/windowstext.h"
+#include "app/opc-da/pure/messages.h"
 
 #include <array>
 
-namespace opcda
-{
+namespace opcda {
 
 constexpr LCID English = 0x0409;
 constexpr LCID Russian = 0x0419;

@@ -1,20 +1,19 @@
 // The OPC DA gateway: started by COM for a client, or by hand with /RegServer and /UnregServer.
-#include "com/factory.h"
-#include "com/feedclient.h"
-#include "com/identity.h"
-#include "com/registration.h"
-#include "pure/commandline.h"
+#include "app/opc-da/com/factory.h"
+#include "app/opc-da/com/feedclient.h"
+#include "app/opc-da/com/identity.h"
+#include "app/opc-da/com/registration.h"
+#include "app/opc-da/pure/commandline.h"
 
 #include <thread>
 
 using namespace opcda;
 
-namespace
-{
+namespace {
 
-constexpr DWORD Tick = 1000;                          ///< ms between two looks at who is still there
-constexpr DWORD FirstList = 2000;                     ///< ms that a client waits at most for the first list of tags
-constexpr auto Leaving = std::chrono::seconds(5);     ///< for clients that were asked to leave
+constexpr DWORD Tick = 1000; ///< ms between two looks at who is still there
+constexpr DWORD FirstList = 2000; ///< ms that a client waits at most for the first list of tags
+constexpr auto Leaving = std::chrono::seconds(5); ///< for clients that were asked to leave
 
 /// Waits until nobody needs the program or the main program ends.
 void serve(Gate &gate, HANDLE ended, std::chrono::seconds linger)
@@ -59,8 +58,8 @@ int runGateway()
 
     const ComPtr<Factory> factory = made<Factory>(gate);
     DWORD cookie = 0;
-    const HRESULT registered = CoRegisterClassObject(
-        ServerClsid, factory.Get(), CLSCTX_LOCAL_SERVER, REGCLS_MULTIPLEUSE, &cookie);
+    const HRESULT registered =
+        CoRegisterClassObject(ServerClsid, factory.Get(), CLSCTX_LOCAL_SERVER, REGCLS_MULTIPLEUSE, &cookie);
     if (SUCCEEDED(registered)) {
         serve(gate, ended, settings.linger);
         CoRevokeClassObject(cookie);

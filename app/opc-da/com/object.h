@@ -1,14 +1,12 @@
 #pragma once
-#include "com/platform.h"
+#include "app/opc-da/com/platform.h"
 
 #include <atomic>
 
-namespace opcda
-{
+namespace opcda {
 
 /// Counts references and answers for the given interfaces. Lives as long as somebody holds it, on any thread.
-template <class First, class... Rest>
-class Object : public First, public Rest...
+template <class First, class... Rest> class Object : public First, public Rest...
 {
 public:
     Object() = default;
@@ -47,8 +45,7 @@ protected:
     ULONG references() const { return m_references; }
 
 private:
-    template <class Interface>
-    void offer(REFIID wanted, void **found)
+    template <class Interface> void offer(REFIID wanted, void **found)
     {
         if (IsEqualIID(wanted, __uuidof(Interface)))
             *found = static_cast<Interface *>(this);
@@ -58,8 +55,7 @@ private:
 };
 
 /// A new object in the caller's hands.
-template <class Made, class... Arguments>
-ComPtr<Made> made(Arguments &&...arguments)
+template <class Made, class... Arguments> ComPtr<Made> made(Arguments &&...arguments)
 {
     ComPtr<Made> object;
     object.Attach(new Made(std::forward<Arguments>(arguments)...));

@@ -13,10 +13,9 @@
 #include <shellapi.h>
 #include <wrl/client.h>
 
-#include "gorizontopc.h"
+#include <gorizontopc.h>
 
-namespace opcda
-{
+namespace opcda {
 
 using Microsoft::WRL::ComPtr;
 

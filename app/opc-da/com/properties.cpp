@@ -1,17 +1,24 @@
 // What the properties of a tag are worth.
-#include "com/server.h"
-#include "pure/types.h"
+#include "app/opc-da/com/server.h"
+#include "app/opc-da/pure/types.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 // Identifiers of the specification, 5.1.2.
 enum Property : DWORD {
-    CanonicalType = 1, CurrentValue = 2, Quality = 3, Timestamp = 4, AccessRights = 5, ScanRate = 6, EuType = 7,
-    EuUnits = 100, Description = 101, HighEu = 102, LowEu = 103
+    CanonicalType = 1,
+    CurrentValue = 2,
+    Quality = 3,
+    Timestamp = 4,
+    AccessRights = 5,
+    ScanRate = 6,
+    EuType = 7,
+    EuUnits = 100,
+    Description = 101,
+    HighEu = 102,
+    LowEu = 103
 };
 
 void setDate(VARIANT *value, std::int64_t unixMs)
@@ -46,7 +53,8 @@ constexpr float FeedStep = 50; ///< ms, how often the main program tells what ha
 
 std::vector<DWORD> propertiesOf(const Tag &tag)
 {
-    std::vector<DWORD> known{CanonicalType, CurrentValue, Quality, Timestamp, AccessRights, ScanRate, EuType, Description};
+    std::vector<DWORD> known{CanonicalType, CurrentValue, Quality, Timestamp,
+                             AccessRights,  ScanRate,     EuType,  Description};
     const Scale scale = scaleOf(tag);
     if (!scale.unit.empty())
         known.insert(known.end() - 1, EuUnits);

@@ -1,18 +1,17 @@
-#include "com/registration.h"
+#include "app/opc-da/com/registration.h"
 
-#include "com/identity.h"
-#include "com/registrykeys.h"
-#include "com/windowstext.h"
+#include "app/opc-da/com/identity.h"
+#include "app/opc-da/com/registrykeys.h"
+#include "app/opc-da/com/windowstext.h"
 
 #include <filesystem>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
-struct InterfaceName {
+struct InterfaceName
+{
     const IID *id;
     const wchar_t *name;
 };
@@ -38,7 +37,8 @@ const InterfaceName Interfaces[] = {
     {&IID_IOPCDataCallback, L"IOPCDataCallback"},
 };
 
-struct Category {
+struct Category
+{
     const wchar_t *id;
     const wchar_t *name;
 };
@@ -51,7 +51,8 @@ const std::wstring ServerKey = std::wstring(L"CLSID\\") + ServerClsidText;
 const std::wstring SettingsKey = ServerKey + L"\\Settings";
 const std::wstring ProxyKey = std::wstring(L"CLSID\\") + ProxyClsidText;
 
-struct View {
+struct View
+{
     REGSAM flag;
     const wchar_t *proxy; ///< file name of the proxy for programs that see this view
 };
@@ -85,8 +86,7 @@ void writeClass(RegistryKeys &keys)
     keys.set(ServerKey + L"\\LocalServer32", nullptr, L"\"" + programPath() + L"\"");
     const std::wstring appIds = L"AppID\\";
     keys.set(appIds + AppIdText, nullptr, ServerDescription);
-    keys.set(
-        appIds + std::filesystem::path(programPath()).filename().wstring(), L"AppID", AppIdText);
+    keys.set(appIds + std::filesystem::path(programPath()).filename().wstring(), L"AppID", AppIdText);
     for (const Category &category : Categories) {
         keys.set(ServerKey + L"\\Implemented Categories\\" + category.id, nullptr, {});
         const std::wstring key = std::wstring(L"Component Categories\\") + category.id;
@@ -120,7 +120,8 @@ bool isOfOthers(const RegistryKeys &keys, const std::wstring &key)
     constexpr std::wstring_view Start = L"Interface\\{";
     if (!key.starts_with(Start))
         return false;
-    const std::wstring present = keys.text(key.substr(0, key.find(L'\\', Start.size())) + L"\\ProxyStubClsid32", nullptr);
+    const std::wstring present =
+        keys.text(key.substr(0, key.find(L'\\', Start.size())) + L"\\ProxyStubClsid32", nullptr);
     return !present.empty() && _wcsicmp(present.c_str(), ProxyClsidText) != 0;
 }
 

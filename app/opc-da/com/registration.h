@@ -1,9 +1,8 @@
 #pragma once
-#include "com/settings.h"
-#include "com/platform.h"
+#include "app/opc-da/com/platform.h"
+#include "app/opc-da/com/settings.h"
 
-namespace opcda
-{
+namespace opcda {
 
 enum class Scope { Machine, User };
 

@@ -1,10 +1,8 @@
-#include "com/registrykeys.h"
+#include "app/opc-da/com/registrykeys.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 const std::wstring Classes = L"Software\\Classes\\";
 
@@ -113,7 +111,8 @@ bool RegistryKeys::isBare(const std::wstring &key) const
     DWORD keys = 0;
     return RegOpenKeyExW(m_root, (Classes + key).c_str(), 0, KEY_READ | m_view, open.target()) == ERROR_SUCCESS
         && RegQueryInfoKeyW(
-               open.get(), nullptr, nullptr, nullptr, &keys, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr)
+               open.get(), nullptr, nullptr, nullptr, &keys, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+               nullptr)
         == ERROR_SUCCESS
         && keys == 0;
 }

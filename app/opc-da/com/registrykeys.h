@@ -1,17 +1,20 @@
 #pragma once
-#include "com/platform.h"
+#include "app/opc-da/com/platform.h"
 
 #include <string>
 #include <vector>
 
-namespace opcda
-{
+namespace opcda {
 
 /// A part of the registry under Software\Classes, as 64-bit or as 32-bit programs see it, with a list of what was made in it.
 class RegistryKeys
 {
 public:
-    RegistryKeys(HKEY root, REGSAM view) : m_root(root), m_view(view) {}
+    RegistryKeys(HKEY root, REGSAM view)
+        : m_root(root)
+        , m_view(view)
+    {
+    }
 
     bool exists(const std::wstring &key) const;
     /// A text value, empty when there is none. A null name is the default value.

@@ -1,16 +1,14 @@
 // IOPCServer and IOPCCommon of the server object.
-#include "com/server.h"
+#include "app/opc-da/com/server.h"
 
-#include "com/group.h"
-#include "com/locale.h"
+#include "app/opc-da/com/group.h"
+#include "app/opc-da/com/locale.h"
 
 #include <cstdio>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 /// Minutes that local time lies behind UTC now: what a group gets when its client names no bias.
 LONG machineTimeBias()
@@ -22,7 +20,9 @@ LONG machineTimeBias()
 
 } // namespace
 
-Server::Server(Gate &gate) : m_session(std::make_shared<Session>(gate)), m_shutdown(gate, this)
+Server::Server(Gate &gate)
+    : m_session(std::make_shared<Session>(gate))
+    , m_shutdown(gate, this)
 {
     m_session->shutdownSink = [this] { return m_shutdown.sink(); };
     gate.enter(m_session);

@@ -1,14 +1,14 @@
 #pragma once
-#include "com/session.h"
-#include "com/sink.h"
-#include "pure/engineering.h"
+#include "app/opc-da/com/session.h"
+#include "app/opc-da/com/sink.h"
+#include "app/opc-da/pure/engineering.h"
 
-namespace opcda
-{
+namespace opcda {
 
 /// What a client gets by CoCreateInstance; its methods come on any thread.
-class Server final : public Object<IOPCServer, IOPCCommon, IOPCBrowseServerAddressSpace, IOPCItemProperties, IOPCBrowse,
-                                   IOPCItemIO, IConnectionPointContainer>
+class Server final : public Object<
+                         IOPCServer, IOPCCommon, IOPCBrowseServerAddressSpace, IOPCItemProperties, IOPCBrowse,
+                         IOPCItemIO, IConnectionPointContainer>
 {
 public:
     explicit Server(Gate &gate);
@@ -67,8 +67,7 @@ public:
 private:
     ~Server() override;
 
-    template <class Work>
-    HRESULT locked(Work work)
+    template <class Work> HRESULT locked(Work work)
     {
         return m_session->gate().locked([&]() -> HRESULT { return m_session->isClosed() ? E_FAIL : work(); });
     }
@@ -76,7 +75,8 @@ private:
     /// Under the lock: the tag of this name, or why there is none.
     HRESULT findItem(const wchar_t *id, int &tag) const;
     Text browsePlace(TextView name) const;
-    OPCITEMPROPERTIES propertiesOf(const wchar_t *id, const std::vector<DWORD> &wanted, bool isAll, bool withValues) const;
+    OPCITEMPROPERTIES propertiesOf(
+        const wchar_t *id, const std::vector<DWORD> &wanted, bool isAll, bool withValues) const;
 
     const std::shared_ptr<Session> m_session;
     SinkPoint<IOPCShutdown> m_shutdown;

@@ -1,9 +1,8 @@
 // IOPCBrowseServerAddressSpace and IOPCItemIO of the server object.
-#include "com/server.h"
-#include "pure/types.h"
+#include "app/opc-da/com/server.h"
+#include "app/opc-da/pure/types.h"
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Server::findItem(const wchar_t *id, int &tag) const
 {
@@ -36,7 +35,8 @@ HRESULT Server::ChangeBrowsePosition(OPCBROWSEDIRECTION direction, LPCWSTR name)
             position = book().names().above(position);
             return S_OK;
         }
-        if ((direction != OPC_BROWSE_DOWN && direction != OPC_BROWSE_TO) || (direction == OPC_BROWSE_DOWN && wanted.empty()))
+        if ((direction != OPC_BROWSE_DOWN && direction != OPC_BROWSE_TO)
+            || (direction == OPC_BROWSE_DOWN && wanted.empty()))
             return E_INVALIDARG;
         const Text target = direction == OPC_BROWSE_DOWN ? joined(position, wanted) : wanted;
         if (!book().names().branch(target))
@@ -64,9 +64,9 @@ HRESULT Server::BrowseOPCItemIDs(OPCBROWSETYPE kind, LPCWSTR filter, VARTYPE typ
             here = book().names().branch({});
         }
         if (kind == OPC_BRANCH) {
-            std::copy_if(here->branches.begin(), here->branches.end(), std::back_inserter(found), [&](const Text &name) {
-                return matches(pattern, name);
-            });
+            std::copy_if(
+                here->branches.begin(), here->branches.end(), std::back_inserter(found),
+                [&](const Text &name) { return matches(pattern, name); });
         } else if (kind == OPC_LEAF) {
             for (const auto &[name, tag] : here->leaves)
                 add(name, tag);
@@ -89,7 +89,9 @@ HRESULT Server::GetItemID(LPWSTR name, LPWSTR *id)
         const AddressSpace &names = book().names();
         const Text &position = m_session->browsePosition;
         const Text whole = wanted.empty() ? position : joined(position, wanted);
-        const auto isThere = [&names](const Text &candidate) { return names.find(candidate) || names.branch(candidate); };
+        const auto isThere = [&names](const Text &candidate) {
+            return names.find(candidate) || names.branch(candidate);
+        };
         // A flat list gives whole names; they are taken as they are.
         if (!isThere(whole) && !isThere(wanted))
             return OpcUnknownItemId;
@@ -107,7 +109,8 @@ HRESULT Server::BrowseAccessPaths(LPCWSTR, IEnumString **paths)
 HRESULT Server::Read(
     DWORD count, LPCWSTR *ids, DWORD *maxAges, VARIANT **values, WORD **qualities, FILETIME **times, HRESULT **errors)
 {
-    if (!cleared(values) || !cleared(qualities) || !cleared(times) || !cleared(errors) || !ids || !maxAges || count == 0)
+    if (!cleared(values) || !cleared(qualities) || !cleared(times) || !cleared(errors) || !ids || !maxAges
+        || count == 0)
         return E_INVALIDARG;
     return locked([&]() -> HRESULT {
         TaskArray<VARIANT> foundValues(count);

@@ -1,11 +1,10 @@
 // IOPCItemProperties and IOPCBrowse of the server object.
-#include "com/locale.h"
-#include "com/server.h"
+#include "app/opc-da/com/locale.h"
+#include "app/opc-da/com/server.h"
 
 #include <charconv>
 
-namespace opcda
-{
+namespace opcda {
 
 HRESULT Server::QueryAvailableProperties(
     LPWSTR id, DWORD *count, DWORD **properties, LPWSTR **descriptions, VARTYPE **types)
@@ -69,7 +68,8 @@ HRESULT Server::LookupItemIDs(LPWSTR id, DWORD count, DWORD *properties, LPWSTR 
         TaskArray<HRESULT> codes(count);
         for (DWORD i = 0; i < count; ++i) {
             // No property is an item of its own here; 1…6 never are.
-            const bool isKnown = properties[i] > 6 && std::find(known.begin(), known.end(), properties[i]) != known.end();
+            const bool isKnown =
+                properties[i] > 6 && std::find(known.begin(), known.end(), properties[i]) != known.end();
             codes[i] = isKnown ? E_FAIL : OpcInvalidPid;
         }
         names.giveTo(ids);
@@ -127,8 +127,7 @@ HRESULT Server::GetProperties(
     });
 }
 
-namespace
-{
+namespace {
 
 /// A continuation point is the number of elements that were given before. False when the text is none.
 bool readPosition(const Text &continuation, std::size_t most, std::size_t &position)
@@ -140,7 +139,8 @@ bool readPosition(const Text &continuation, std::size_t most, std::size_t &posit
     return error == std::errc() && end == digits.data() + digits.size() && position > 0 && position < most;
 }
 
-struct Element {
+struct Element
+{
     Text name;
     DWORD flags; ///< 1 has children, 2 is an item
 };
@@ -192,7 +192,8 @@ HRESULT Server::Browse(
             list[i].szItemID = taskText(whole);
             list[i].dwFlagValue = element.flags;
             if ((element.flags & IsItem) && (allProperties || !wanted.empty()))
-                list[i].ItemProperties = propertiesOf(wide(whole).c_str(), wanted, allProperties != FALSE, withValues != FALSE);
+                list[i].ItemProperties =
+                    propertiesOf(wide(whole).c_str(), wanted, allProperties != FALSE, withValues != FALSE);
         }
         const std::size_t end = first + given;
         const std::string next = end < found.size() ? std::to_string(end) : std::string();

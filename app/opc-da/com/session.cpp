@@ -1,27 +1,27 @@
-#include "com/session.h"
+#include "app/opc-da/com/session.h"
 
-#include "com/clientprocess.h"
-#include "com/group.h"
-#include "com/locale.h"
+#include "app/opc-da/com/clientprocess.h"
+#include "app/opc-da/com/group.h"
+#include "app/opc-da/com/locale.h"
 
 #include <thread>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
-template <class... F>
-struct Cases : F... {
+template <class... F> struct Cases : F...
+{
     using F::operator()...;
 };
-template <class... F>
-Cases(F...) -> Cases<F...>;
+template <class... F> Cases(F...) -> Cases<F...>;
 
 } // namespace
 
-Session::Session(Gate &gate) : m_gate(gate) {}
+Session::Session(Gate &gate)
+    : m_gate(gate)
+{
+}
 
 Session::~Session()
 {

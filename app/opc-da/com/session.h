@@ -1,5 +1,5 @@
 #pragma once
-#include "com/gate.h"
+#include "app/opc-da/com/gate.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -8,8 +8,7 @@
 #include <map>
 #include <variant>
 
-namespace opcda
-{
+namespace opcda {
 
 class Group;
 class Server;
@@ -22,18 +21,21 @@ class Session : public std::enable_shared_from_this<Session>
 {
 public:
     /// A reading to be given by callback: OnReadComplete, or OnDataChange for a refresh.
-    struct Reading {
+    struct Reading
+    {
         ComPtr<Group> group;
         DWORD transaction;
         DWORD cancelId;
         bool isRefresh;
         std::vector<OPCHANDLE> items;
     };
-    struct Cancelled {
+    struct Cancelled
+    {
         ComPtr<Group> group;
         DWORD transaction;
     };
-    struct AskToLeave {
+    struct AskToLeave
+    {
     };
     using Task = std::variant<Reading, Cancelled, AskToLeave>;
 

@@ -1,17 +1,15 @@
-#include "com/settings.h"
+#include "app/opc-da/com/settings.h"
 
-#include "com/identity.h"
-#include "com/windowstext.h"
-#include "pure/feedline.h"
+#include "app/opc-da/com/identity.h"
+#include "app/opc-da/com/windowstext.h"
+#include "app/opc-da/pure/feedline.h"
 
 #include <filesystem>
 #include <fstream>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 constexpr unsigned MostLinger = 3600;
 

@@ -1,17 +1,17 @@
 #pragma once
-#include "pure/addressspace.h"
+#include "app/opc-da/pure/addressspace.h"
 
 #include <chrono>
 
-namespace opcda
-{
+namespace opcda {
 
 /// How the gateway finds the main program. Read from the key `Settings` of its class in the registry, then from the section
 /// [OPC] of gorizont-opc-da.ini beside the program, which wins.
-struct Settings {
-    unsigned short port = 43212;     ///< Port, of the main program's feed on 127.0.0.1
-    std::string hash;                ///< Hash, of the tag list that was registered; empty: none
-    std::wstring tagsFile;           ///< Tags, a file of feed lines with that list; empty: none
+struct Settings
+{
+    unsigned short port = 43212; ///< Port, of the main program's feed on 127.0.0.1
+    std::string hash; ///< Hash, of the tag list that was registered; empty: none
+    std::wstring tagsFile; ///< Tags, a file of feed lines with that list; empty: none
     std::chrono::seconds linger{10}; ///< Linger, how long the program stays after its last client
 };
 

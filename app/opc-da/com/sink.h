@@ -1,21 +1,23 @@
 #pragma once
-#include "com/enumerators.h"
-#include "com/gate.h"
+#include "app/opc-da/com/enumerators.h"
+#include "app/opc-da/com/gate.h"
 
 #include <functional>
 
-namespace opcda
-{
+namespace opcda {
 
 /// Whether a result of a call says that the other process is no longer there.
 bool isGone(HRESULT result);
 
 /// Where a client leaves the object it wants to be called at; one at a time. A part of its container and alive with it.
-template <class Sink>
-class SinkPoint final : public IConnectionPoint
+template <class Sink> class SinkPoint final : public IConnectionPoint
 {
 public:
-    SinkPoint(Gate &gate, IConnectionPointContainer *container) : m_gate(gate), m_container(container) {}
+    SinkPoint(Gate &gate, IConnectionPointContainer *container)
+        : m_gate(gate)
+        , m_container(container)
+    {
+    }
     virtual ~SinkPoint() = default;
 
     /// Under the lock of the gate.
@@ -48,8 +50,9 @@ public:
     }
     HRESULT STDMETHODCALLTYPE GetConnectionPointContainer(IConnectionPointContainer **container) override
     {
-        return container ? m_container->QueryInterface(__uuidof(IConnectionPointContainer), reinterpret_cast<void **>(container))
-                         : E_POINTER;
+        return container
+            ? m_container->QueryInterface(__uuidof(IConnectionPointContainer), reinterpret_cast<void **>(container))
+            : E_POINTER;
     }
     HRESULT STDMETHODCALLTYPE Advise(IUnknown *client, DWORD *cookie) override
     {

@@ -1,15 +1,13 @@
 #pragma once
-#include "com/windowstext.h"
+#include "app/opc-da/com/windowstext.h"
 
 #include <cstring>
 #include <new>
 
-namespace opcda
-{
+namespace opcda {
 
 /// Memory that the other side of a COM call frees; throws std::bad_alloc.
-template <class T>
-T *taskAlloc(std::size_t count)
+template <class T> T *taskAlloc(std::size_t count)
 {
     const std::size_t bytes = count > 0 ? count * sizeof(T) : 1;
     void *memory = CoTaskMemAlloc(bytes);
@@ -27,11 +25,13 @@ inline wchar_t *taskText(TextView text)
 }
 
 /// A zeroed array that the caller of the method will free, or that goes with this when the method fails.
-template <class T>
-class TaskArray
+template <class T> class TaskArray
 {
 public:
-    explicit TaskArray(std::size_t count) : m_data(taskAlloc<T>(count)) {}
+    explicit TaskArray(std::size_t count)
+        : m_data(taskAlloc<T>(count))
+    {
+    }
     ~TaskArray() { CoTaskMemFree(m_data); }
     TaskArray(const TaskArray &) = delete;
     TaskArray &operator=(const TaskArray &) = delete;
@@ -48,8 +48,7 @@ private:
 };
 
 /// Sets an [out] pointer to null so that a failing method leaves nothing behind; false when the caller gave none.
-template <class... T>
-bool cleared(T **...targets)
+template <class... T> bool cleared(T **...targets)
 {
     const bool isGiven = (targets && ...);
     ((targets ? void(*targets = nullptr) : void()), ...);

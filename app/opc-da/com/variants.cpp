@@ -1,10 +1,8 @@
-#include "com/variants.h"
+#include "app/opc-da/com/variants.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 constexpr std::int64_t UnixEpoch = 11644473600000; ///< ms from 1601, where FILETIME begins, to 1970
 constexpr std::int64_t TicksPerMs = 10000;
 

@@ -1,12 +1,11 @@
 #pragma once
-#include "com/windowstext.h"
-#include "pure/addressspace.h"
-#include "pure/values.h"
+#include "app/opc-da/com/windowstext.h"
+#include "app/opc-da/pure/addressspace.h"
+#include "app/opc-da/pure/values.h"
 
 #include <chrono>
 
-namespace opcda
-{
+namespace opcda {
 
 /// A VARIANT that is cleared at the end of its scope.
 class Variant
@@ -14,7 +13,11 @@ class Variant
 public:
     Variant() { VariantInit(&m_value); }
     ~Variant() { VariantClear(&m_value); }
-    Variant(Variant &&other) noexcept : m_value(other.m_value) { VariantInit(&other.m_value); }
+    Variant(Variant &&other) noexcept
+        : m_value(other.m_value)
+    {
+        VariantInit(&other.m_value);
+    }
     Variant(const Variant &) = delete;
     Variant &operator=(const Variant &) = delete;
     Variant &operator=(Variant &&) = delete;

@@ -1,9 +1,8 @@
 #pragma once
-#include "com/platform.h"
-#include "pure/names.h"
+#include "app/opc-da/com/platform.h"
+#include "app/opc-da/pure/names.h"
 
-namespace opcda
-{
+namespace opcda {
 
 static_assert(sizeof(wchar_t) == sizeof(char16_t));
 

@@ -1,9 +1,8 @@
-#include "pure/addressspace.h"
+#include "app/opc-da/pure/addressspace.h"
 
 #include <algorithm>
 
-namespace opcda
-{
+namespace opcda {
 
 AddressSpace::AddressSpace()
 {

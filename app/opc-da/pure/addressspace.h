@@ -1,29 +1,30 @@
 #pragma once
-#include "pure/names.h"
+#include "app/opc-da/pure/names.h"
 
 #include <map>
 #include <optional>
 #include <unordered_map>
 
-namespace opcda
-{
+namespace opcda {
 
 enum class TagType { Bool, Double };
 
 /// One item that clients may ask for.
-struct Tag {
+struct Tag
+{
     Text id; ///< the name of figure 11.4
     TagType type = TagType::Double;
     Text description;
     std::vector<Text> aliases; ///< other full names by which it is found (table 11.1)
-    bool isListed = true;      ///< false when the main program no longer has it: kept for clients that hold it
+    bool isListed = true; ///< false when the main program no longer has it: kept for clients that hold it
 };
 
 /// The names of all tags as a tree, in the order they were given. Indices of tags never change.
 class AddressSpace
 {
 public:
-    struct Branch {
+    struct Branch
+    {
         Text id; ///< full name, empty for the root
         std::vector<Text> branches;
         std::vector<std::pair<Text, int>> leaves; ///< short name, index of the tag

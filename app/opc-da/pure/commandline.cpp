@@ -1,12 +1,10 @@
-#include "pure/commandline.h"
+#include "app/opc-da/pure/commandline.h"
 
 #include <charconv>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 using Action = CommandLine::Action;
 

@@ -1,18 +1,18 @@
 #pragma once
-#include "pure/names.h"
+#include "app/opc-da/pure/names.h"
 
 #include <cstdint>
 #include <optional>
 
-namespace opcda
-{
+namespace opcda {
 
 /// What the program was started for. Words begin with `/` or `-`, letters of either case; values follow `=` or `:`.
-struct CommandLine {
+struct CommandLine
+{
     enum class Action { Serve, Register, Unregister, Wrong };
 
     Action action = Action::Serve; ///< COM starts the program with -Embedding, which is to serve
-    bool isPerUser = false;        ///< /PerUser: for this user, without rights of an administrator
+    bool isPerUser = false; ///< /PerUser: for this user, without rights of an administrator
     std::optional<std::uint16_t> port;
     Text hash;
     Text tagsFile;

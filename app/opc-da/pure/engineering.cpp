@@ -1,7 +1,6 @@
-#include "pure/engineering.h"
+#include "app/opc-da/pure/engineering.h"
 
-namespace opcda
-{
+namespace opcda {
 
 Scale scaleOf(const Tag &tag)
 {

@@ -1,12 +1,12 @@
 #pragma once
-#include "pure/addressspace.h"
+#include "app/opc-da/pure/addressspace.h"
 
-namespace opcda
-{
+namespace opcda {
 
 /// What is known of the scale of an analog tag by its short name.
-struct Scale {
-    double low = 0;  ///< of the range that percent deadbands are taken from
+struct Scale
+{
+    double low = 0; ///< of the range that percent deadbands are taken from
     double high = 0; ///< not above `low`: no range is known and deadbands do not apply
     Text unit;
 

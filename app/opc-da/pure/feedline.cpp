@@ -1,12 +1,10 @@
-#include "pure/feedline.h"
+#include "app/opc-da/pure/feedline.h"
 
 #include <nlohmann/json.hpp>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 using Json = nlohmann::json;
 constexpr int Protocol = 1;

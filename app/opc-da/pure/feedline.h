@@ -1,49 +1,56 @@
 #pragma once
-#include "pure/addressspace.h"
-#include "pure/values.h"
+#include "app/opc-da/pure/addressspace.h"
+#include "app/opc-da/pure/values.h"
 
 #include <string>
 #include <variant>
 #include <vector>
 
-namespace opcda
-{
+namespace opcda {
 
 /// What the main program says first.
-struct FeedHello {
+struct FeedHello
+{
     std::string version;
     std::string caption;
     std::string hash; ///< SHA-256 of its tag list, 64 hex digits
     std::size_t count = 0;
 };
-struct FeedTags {
+struct FeedTags
+{
     std::vector<Tag> tags;
 };
-struct FeedReady {
+struct FeedReady
+{
 };
-struct FeedEntry {
+struct FeedEntry
+{
     std::size_t index = 0; ///< into the tag list
     Value value;
     std::uint16_t quality = quality::CommFailure;
     std::int64_t time = 0; ///< ms UTC since 1970
 };
-struct FeedValues {
+struct FeedValues
+{
     std::vector<FeedEntry> entries;
 };
-struct FeedPing {
+struct FeedPing
+{
 };
-struct FeedEnd {
+struct FeedEnd
+{
 };
 /// A line that says nothing this program knows: it is passed over.
-struct FeedUnknown {
+struct FeedUnknown
+{
 };
 /// A line that is no line of the feed: why.
-struct FeedFault {
+struct FeedFault
+{
     std::string why;
 };
 
-using FeedLine
-    = std::variant<FeedUnknown, FeedHello, FeedTags, FeedReady, FeedValues, FeedPing, FeedEnd, FeedFault>;
+using FeedLine = std::variant<FeedUnknown, FeedHello, FeedTags, FeedReady, FeedValues, FeedPing, FeedEnd, FeedFault>;
 
 /// Reads one line (without its line feed) of the main program's feed, protocol 1.
 FeedLine parseFeedLine(std::string_view line);

@@ -1,12 +1,11 @@
-#include "pure/messages.h"
+#include "app/opc-da/pure/messages.h"
 
-namespace opcda
+namespace opcda {
+
+namespace {
+
+struct Sentence
 {
-
-namespace
-{
-
-struct Sentence {
     std::uint32_t code;
     TextView english;
     TextView russian;

@@ -1,11 +1,10 @@
 #pragma once
-#include "pure/names.h"
+#include "app/opc-da/pure/names.h"
 
 #include <cstdint>
 #include <optional>
 
-namespace opcda
-{
+namespace opcda {
 
 enum class Language { English, Russian };
 

@@ -1,10 +1,8 @@
-#include "pure/names.h"
+#include "app/opc-da/pure/names.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 constexpr char32_t Replacement = 0xFFFD;
 
@@ -26,7 +24,10 @@ char32_t taken(std::string_view &bytes)
     bytes.remove_prefix(1);
     if (lead < 0x80)
         return lead;
-    const int more = lead >= 0xF0 && lead < 0xF5 ? 3 : lead >= 0xE0 && lead < 0xF0 ? 2 : lead >= 0xC2 && lead < 0xE0 ? 1 : 0;
+    const int more = lead >= 0xF0 && lead < 0xF5 ? 3
+        : lead >= 0xE0 && lead < 0xF0            ? 2
+        : lead >= 0xC2 && lead < 0xE0            ? 1
+                                                 : 0;
     if (more == 0)
         return Replacement;
     char32_t point = lead & (0x3Fu >> more);

@@ -3,8 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace opcda
-{
+namespace opcda {
 
 /// Text as COM carries it: UTF-16.
 using Text = std::u16string;

@@ -1,10 +1,8 @@
-#include "pure/tagbook.h"
+#include "app/opc-da/pure/tagbook.h"
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 
 enum OwnTag { Connection, TagsHashGood, OwnTags };
 
@@ -12,12 +10,17 @@ std::vector<Tag> ownTags()
 {
     return {
         {u"OPCGate.Connection", TagType::Bool, u"The main program answers", {}, true},
-        {u"OPCGate.TagsHashGood", TagType::Bool, u"The registered list of tags is the one of the main program", {}, true}};
+        {u"OPCGate.TagsHashGood",
+         TagType::Bool,
+         u"The registered list of tags is the one of the main program",
+         {},
+         true}};
 }
 
 } // namespace
 
-TagBook::TagBook(std::string registeredHash, std::int64_t now) : m_registeredHash(std::move(registeredHash))
+TagBook::TagBook(std::string registeredHash, std::int64_t now)
+    : m_registeredHash(std::move(registeredHash))
 {
     m_names.replace(ownTags(), 0);
     makeRoom(now);

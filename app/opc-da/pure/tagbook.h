@@ -1,8 +1,7 @@
 #pragma once
-#include "pure/feedline.h"
+#include "app/opc-da/pure/feedline.h"
 
-namespace opcda
-{
+namespace opcda {
 
 /// All that the gateway knows: the names, and the last value of each. Fed by the lines of the main program; without locks,
 /// the owner guards it.

@@ -1,13 +1,11 @@
-#include "pure/types.h"
+#include "app/opc-da/pure/types.h"
 
 #include <algorithm>
 #include <array>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 // Numbers of VARTYPE, [MS-OAUT] 2.2.7; the pure half does not see the headers of Windows.
 constexpr std::uint16_t Empty = 0;
 constexpr std::uint16_t R8 = 5;

@@ -1,10 +1,9 @@
 #pragma once
-#include "pure/addressspace.h"
+#include "app/opc-da/pure/addressspace.h"
 
 #include <cstdint>
 
-namespace opcda
-{
+namespace opcda {
 
 /// The VARTYPE a tag has by itself: VT_BOOL (11) or VT_R8 (5).
 std::uint16_t canonicalType(TagType type);

@@ -1,14 +1,12 @@
-#include "pure/values.h"
+#include "app/opc-da/pure/values.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace opcda
-{
+namespace opcda {
 
-namespace
-{
+namespace {
 constexpr std::uint32_t RateStep = 50;
 constexpr std::uint32_t LeastKeepAlive = 100;
 } // namespace

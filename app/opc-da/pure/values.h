@@ -2,12 +2,10 @@
 #include <cstdint>
 #include <variant>
 
-namespace opcda
-{
+namespace opcda {
 
 /// Quality byte of OPC Data Access, 6.8 of the specification.
-namespace quality
-{
+namespace quality {
 constexpr std::uint16_t ConfigError = 0x04;
 constexpr std::uint16_t NotConnected = 0x08;
 constexpr std::uint16_t CommFailure = 0x18;
@@ -25,10 +23,11 @@ constexpr bool isGood(std::uint16_t value)
 using Value = std::variant<std::monostate, bool, double>;
 
 /// Value, quality and time of a tag as they are known now.
-struct TagState {
+struct TagState
+{
     Value value;
     std::uint16_t quality = quality::CommFailure;
-    std::int64_t time = 0;     ///< ms UTC since 1970, of the reading
+    std::int64_t time = 0; ///< ms UTC since 1970, of the reading
     std::uint64_t version = 0; ///< grows whenever value or quality changes
 };
 

@@ -3,11 +3,9 @@
 
 #include <psapi.h>
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 
 double seconds()
 {
@@ -55,8 +53,9 @@ void benchChanges(IOPCServer *server)
     const double took = seconds() - start;
     const auto told = static_cast<double>(listener->values - before);
     check("bench.changes.last", isComplete);
-    note("changes: " + std::to_string(told / took) + " a second reached the client, " + std::to_string(told) + " of "
-         + std::to_string(Rounds * Bulk) + " steps, the rest was overtaken by a newer step before its turn");
+    note(
+        "changes: " + std::to_string(told / took) + " a second reached the client, " + std::to_string(told) + " of "
+        + std::to_string(Rounds * Bulk) + " steps, the rest was overtaken by a newer step before its turn");
     subscription.unadvise();
 }
 
@@ -74,8 +73,9 @@ void benchReads(IOPCServer *server)
         for (; seconds() < start + 3; ++reads)
             readItems(group.items.Get(), some);
         const double rate = reads / (seconds() - start);
-        note("reads of " + std::to_string(size) + " items: " + std::to_string(rate) + " calls a second, "
-             + std::to_string(rate * static_cast<double>(size)) + " values a second");
+        note(
+            "reads of " + std::to_string(size) + " items: " + std::to_string(rate) + " calls a second, "
+            + std::to_string(rate * static_cast<double>(size)) + " values a second");
     }
 }
 
@@ -93,8 +93,9 @@ void benchSubscriptions(IOPCServer *server, int count)
         server->RemoveGroup(group.handle, TRUE);
     }
     const double end = gatewayMemory();
-    note("subscriptions: " + std::to_string(count) + " in " + std::to_string(seconds() - start) + " s; memory after a tenth "
-         + std::to_string(begun) + " KiB, at the end " + std::to_string(end) + " KiB");
+    note(
+        "subscriptions: " + std::to_string(count) + " in " + std::to_string(seconds() - start)
+        + " s; memory after a tenth " + std::to_string(begun) + " KiB, at the end " + std::to_string(end) + " KiB");
     check("bench.memory", end < begun * 1.1 + 1024);
 }
 

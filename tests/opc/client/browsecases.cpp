@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 
 std::vector<std::wstring> browsed(
     IOPCBrowseServerAddressSpace *space, OPCBROWSETYPE kind, const wchar_t *filter = L"", VARTYPE type = VT_EMPTY,
@@ -27,15 +25,18 @@ void testTree(IOPCBrowseServerAddressSpace *space)
     OPCNAMESPACETYPE organization{};
     space->QueryOrganization(&organization);
     check("browse.hierarchical", organization == OPC_NS_HIERARCHIAL);
-    check("browse.root", browsed(space, OPC_BRANCH)
-              == Names{L"OPCGate", L"[COM5]", L"[COM16]", L"[tcp://10.0.0.7:502]", L"[SIM]"});
+    check(
+        "browse.root",
+        browsed(space, OPC_BRANCH) == Names{L"OPCGate", L"[COM5]", L"[COM16]", L"[tcp://10.0.0.7:502]", L"[SIM]"});
     check("browse.root.noleaves", browsed(space, OPC_LEAF).empty());
     checkResult("browse.down", S_OK, space->ChangeBrowsePosition(OPC_BROWSE_DOWN, L"[tcp://10.0.0.7:502]"));
     check("browse.dots", browsed(space, OPC_BRANCH) == Names{L"Sensor_003[AND3][Addr:001]"});
     checkResult("browse.down.missing", E_INVALIDARG, space->ChangeBrowsePosition(OPC_BROWSE_DOWN, L"нет"));
     checkResult("browse.to", S_OK, space->ChangeBrowsePosition(OPC_BROWSE_TO, (And3 + L".DATA").c_str()));
-    check("browse.leaves", browsed(space, OPC_LEAF)
-              == Names{L"Angl_X", L"Angl_Y", L"AMax_X", L"AMax_Y", L"ARms_X", L"ARms_Y", L"Temper", L"8_Reserv"});
+    check(
+        "browse.leaves",
+        browsed(space, OPC_LEAF)
+            == Names{L"Angl_X", L"Angl_Y", L"AMax_X", L"AMax_Y", L"ARms_X", L"ARms_Y", L"Temper", L"8_Reserv"});
     check("browse.filter", browsed(space, OPC_LEAF, L"A*_[X]") == Names{L"Angl_X", L"AMax_X", L"ARms_X"});
     HRESULT result = E_FAIL;
     check("browse.type", browsed(space, OPC_LEAF, L"", VT_BOOL, 0, &result).empty());
@@ -105,10 +106,12 @@ void testBrowse3(IOPCBrowse *browse)
     std::wstring filter;
     BOOL isMore = FALSE;
     DWORD count = 0;
-    const auto ask = [&](std::wstring &where, LPWSTR *next, DWORD most, OPCBROWSEFILTER kind, Allocated<OPCBROWSEELEMENT> &found) {
+    const auto ask = [&](std::wstring &where, LPWSTR *next, DWORD most, OPCBROWSEFILTER kind,
+                         Allocated<OPCBROWSEELEMENT> &found) {
         DWORD property = 2;
         return browse->Browse(
-            where.data(), next, most, kind, filter.data(), filter.data(), FALSE, TRUE, 1, &property, &isMore, &count, &found);
+            where.data(), next, most, kind, filter.data(), filter.data(), FALSE, TRUE, 1, &property, &isMore, &count,
+            &found);
     };
     auto *next = static_cast<wchar_t *>(CoTaskMemAlloc(sizeof(wchar_t)));
     *next = 0;
@@ -118,8 +121,10 @@ void testBrowse3(IOPCBrowse *browse)
     checkText("browse3.name", L"Angl_X", first[0].szName);
     checkText("browse3.id", place + L".Angl_X", first[0].szItemID);
     checkNumber("browse3.flags", 2, first[0].dwFlagValue);
-    check("browse3.property", first[0].ItemProperties.dwNumProperties == 1
-              && first[0].ItemProperties.pItemProperties[0].vValue.dblVal == -3599.5);
+    check(
+        "browse3.property",
+        first[0].ItemProperties.dwNumProperties == 1
+            && first[0].ItemProperties.pItemProperties[0].vValue.dblVal == -3599.5);
     Allocated<OPCBROWSEELEMENT> rest;
     checkResult("browse3.rest", S_OK, ask(place, &next, 0, OPC_BROWSE_FILTER_ALL, rest));
     check("browse3.rest.count", count == 5 && next && !*next);
@@ -145,7 +150,9 @@ void testBrowse3(IOPCBrowse *browse)
     Allocated<OPCITEMPROPERTIES> properties;
     DWORD unused = 0;
     checkResult("properties3", S_FALSE, browse->GetProperties(2, ids, TRUE, 0, &unused, &properties));
-    check("properties3.known", properties[0].dwNumProperties == 8 && properties[0].pItemProperties[1].vValue.vt == VT_BOOL);
+    check(
+        "properties3.known",
+        properties[0].dwNumProperties == 8 && properties[0].pItemProperties[1].vValue.vt == VT_BOOL);
     checkResult("properties3.missing", static_cast<HRESULT>(0xC0040007), properties[1].hrErrorID);
 }
 

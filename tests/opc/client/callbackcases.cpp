@@ -1,11 +1,9 @@
 #include "tests/opc/client/cases.h"
 #include "tests/opc/client/listener.h"
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 
 using Call = Listener::Call;
 
@@ -63,7 +61,9 @@ void testDeadband(IOPCServer *server)
     const auto group = addGroup(server, L"deadband", 50, true, 10);
     addItems(group.items.Get(), {Moved, Flag});
     ask("set " + toUtf8(textOf(Moved.c_str())) + " 100");
-    check("deadband.begun", happens([&] { return readItems(group.items.Get(), addItems(group.items.Get(), {Moved}))[0].number == 100; }));
+    check("deadband.begun", happens([&] {
+              return readItems(group.items.Get(), addItems(group.items.Get(), {Moved}))[0].number == 100;
+          }));
     Subscription subscription(group.items.Get());
     Listener *listener = subscription.listener.Get();
     check("deadband.first", happens([&] { return hasNumber(listener, 0, 100); }));
@@ -98,7 +98,9 @@ void testAsynchronous(IOPCServer *server)
     check("async.read.complete", happens([&] { return listener->count(Call::ReadComplete) == 1; }));
     for (const Call &call : listener->calls()) {
         if (call.kind == Call::ReadComplete)
-            check("async.read.values", call.transaction == 42 && call.items.size() == 2 && call.items.at(0).quality == 192);
+            check(
+                "async.read.values",
+                call.transaction == 42 && call.items.size() == 2 && call.items.at(0).quality == 192);
     }
     DWORD ages[3] = {0, 0, 0};
     Allocated<HRESULT> aged;
@@ -107,8 +109,8 @@ void testAsynchronous(IOPCServer *server)
     listener->clear();
     checkResult("async.refresh", S_OK, io->Refresh2(OPC_DS_CACHE, 44, &cancel));
     check("async.refresh.change", happens([&] {
-        return listener->count(Call::Change) == 1 && listener->calls().back().transaction == 44;
-    }));
+              return listener->count(Call::Change) == 1 && listener->calls().back().transaction == 44;
+          }));
     checkResult("async.refreshmaxage", S_OK, io->RefreshMaxAge(0, 45, &cancel));
     check("async.refreshmaxage.change", happens([&] { return listener->count(Call::Change) == 2; }));
 
@@ -128,7 +130,9 @@ void testAsynchronous(IOPCServer *server)
     io->Read(2, handles.data(), 48, &cancel, &two);
     checkResult("async.cancel", S_OK, io->Cancel2(cancel));
     check("async.cancel.complete", happens([&] { return listener->count(Call::CancelComplete) == 1; }));
-    check("async.cancel.transaction", listener->calls().back().transaction == 48 && listener->count(Call::ReadComplete) == 1);
+    check(
+        "async.cancel.transaction",
+        listener->calls().back().transaction == 48 && listener->count(Call::ReadComplete) == 1);
     checkResult("async.cancel.late", E_FAIL, io->Cancel2(cancel));
     listener->slowness = 0;
 

@@ -1,8 +1,7 @@
 #include "tests/opc/client/cases.h"
 #include "tests/opc/client/listener.h"
 
-namespace opctest
-{
+namespace opctest {
 
 /// Against the program itself on a simulated line: the names, that values come with a good quality and a time of today, and
 /// that they move. The tree is the one of figure 11.4.
@@ -32,9 +31,13 @@ void testChain()
     check("chain.type", item.type == VT_R8);
     FILETIME now{};
     GetSystemTimeAsFileTime(&now);
-    const auto ticks = [](const FILETIME &t) { return static_cast<double>(t.dwHighDateTime) * 4294967296.0 + t.dwLowDateTime; };
+    const auto ticks = [](const FILETIME &t) {
+        return static_cast<double>(t.dwHighDateTime) * 4294967296.0 + t.dwLowDateTime;
+    };
     check("chain.time", std::abs(ticks(now) - ticks(item.time)) < 60e7); // a minute in steps of 100 ns
-    check("chain.flag", happens([&] { return listener->last(1, item) && item.type == VT_BOOL && item.quality == 0xC0; }));
+    check("chain.flag", happens([&] {
+              return listener->last(1, item) && item.type == VT_BOOL && item.quality == 0xC0;
+          }));
     check("chain.connection", happens([&] { return listener->last(2, item) && item.number == 1; }));
     check("chain.hash", happens([&] { return listener->last(3, item) && item.quality == 0xC0; }));
     const auto calls = listener->calls().size();

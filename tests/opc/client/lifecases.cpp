@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 
 constexpr wchar_t Gateway[] = L"gorizont-opc-da.exe";
 
@@ -51,7 +49,8 @@ void testThousand()
     const auto server = connected();
     const auto group = server ? addGroup(server.Get(), L"thousand", 100) : AddedGroup();
     std::vector<HRESULT> errors;
-    const auto handles = group.items ? addItems(group.items.Get(), bulkNames(), VT_EMPTY, &errors) : std::vector<OPCHANDLE>();
+    const auto handles =
+        group.items ? addItems(group.items.Get(), bulkNames(), VT_EMPTY, &errors) : std::vector<OPCHANDLE>();
     check("thousand.added", handles.size() == Bulk && std::count(errors.begin(), errors.end(), S_OK) == Bulk);
     if (!group.items)
         return;
@@ -90,14 +89,17 @@ void testOutage()
     Subscription subscription(group.items.Get());
     Listener *listener = subscription.listener.Get();
     ReadItem item;
-    const auto hasQuality
-        = [&](OPCHANDLE client, WORD quality) { return listener->last(client, item) && item.quality == quality; };
+    const auto hasQuality = [&](OPCHANDLE client, WORD quality) {
+        return listener->last(client, item) && item.quality == quality;
+    };
     check("outage.before", happens([&] { return hasQuality(0, 0xC0); }));
     ask("feed stop");
     check("outage.quality", happens([&] { return hasQuality(0, 0x18); }));
     checkNumber("outage.value.kept", -3599.5, item.number);
     check("outage.flag", happens([&] { return hasQuality(1, 0x18); }));
-    check("outage.connection", happens([&] { return listener->last(2, item) && item.number == 0 && item.quality == 0xC0; }));
+    check("outage.connection", happens([&] {
+              return listener->last(2, item) && item.number == 0 && item.quality == 0xC0;
+          }));
     ComPtr<IUnknown> unknown;
     const auto late = addGroup(server.Get(), L"late");
     std::vector<HRESULT> errors;
@@ -125,8 +127,11 @@ void testDeath()
     const auto again = connected(&activated);
     checkResult("death.again", S_OK, activated);
     const auto fresh = again ? addGroup(again.Get(), L"death", 100) : AddedGroup();
-    check("death.value", fresh.items
-              && readItems(fresh.items.Get(), addItems(fresh.items.Get(), {And3 + L".DATA.Angl_X"}))[0].number == -3599.5);
+    check(
+        "death.value",
+        fresh.items
+            && readItems(fresh.items.Get(), addItems(fresh.items.Get(), {And3 + L".DATA.Angl_X"}))[0].number
+                == -3599.5);
 }
 
 void testShutdown()
@@ -138,15 +143,16 @@ void testShutdown()
     as<IOPCCommon>(server.Get())->SetLocaleID(0x0409);
     ComPtr<IConnectionPoint> point;
     const auto container = as<IConnectionPointContainer>(server.Get());
-    checkResult(
-        "shutdown.point", S_OK, container->FindConnectionPoint(__uuidof(IOPCShutdown), point.GetAddressOf()));
+    checkResult("shutdown.point", S_OK, container->FindConnectionPoint(__uuidof(IOPCShutdown), point.GetAddressOf()));
     ComPtr<IEnumConnectionPoints> points;
     checkResult("points", S_OK, container->EnumConnectionPoints(points.GetAddressOf()));
     IConnectionPoint *only = nullptr;
     ULONG fetched = 0;
     check("points.one", points->Next(1, &only, &fetched) == S_OK && fetched == 1);
     IID id{};
-    check("points.interface", only && only->GetConnectionInterface(&id) == S_OK && IsEqualIID(id, __uuidof(IOPCShutdown)));
+    check(
+        "points.interface",
+        only && only->GetConnectionInterface(&id) == S_OK && IsEqualIID(id, __uuidof(IOPCShutdown)));
     if (only)
         only->Release();
     const auto listener = made<ShutdownListener>();
@@ -155,7 +161,9 @@ void testShutdown()
     ComPtr<IEnumConnections> connections;
     point->EnumConnections(connections.GetAddressOf());
     CONNECTDATA data{};
-    check("shutdown.connections", connections && connections->Next(1, &data, &fetched) == S_OK && data.dwCookie == cookie);
+    check(
+        "shutdown.connections",
+        connections && connections->Next(1, &data, &fetched) == S_OK && data.dwCookie == cookie);
     if (data.pUnk)
         data.pUnk->Release();
     ask("feed end");

@@ -1,7 +1,6 @@
 #include "tests/opc/client/listener.h"
 
-namespace opctest
-{
+namespace opctest {
 
 std::vector<Listener::Call> Listener::calls()
 {
@@ -68,18 +67,21 @@ HRESULT Listener::OnReadComplete(
     DWORD transaction, OPCHANDLE group, HRESULT quality, HRESULT error, DWORD count, OPCHANDLE *items, VARIANT *told,
     WORD *qualities, FILETIME *times, HRESULT *errors)
 {
-    return take({Call::ReadComplete, transaction, group, quality, error, {}}, count, items, told, qualities, times, errors);
+    return take(
+        {Call::ReadComplete, transaction, group, quality, error, {}}, count, items, told, qualities, times, errors);
 }
 
 HRESULT Listener::OnWriteComplete(
     DWORD transaction, OPCHANDLE group, HRESULT error, DWORD count, OPCHANDLE *items, HRESULT *errors)
 {
-    return take({Call::WriteComplete, transaction, group, S_OK, error, {}}, count, items, nullptr, nullptr, nullptr, errors);
+    return take(
+        {Call::WriteComplete, transaction, group, S_OK, error, {}}, count, items, nullptr, nullptr, nullptr, errors);
 }
 
 HRESULT Listener::OnCancelComplete(DWORD transaction, OPCHANDLE group)
 {
-    return take({Call::CancelComplete, transaction, group, S_OK, S_OK, {}}, 0, nullptr, nullptr, nullptr, nullptr, nullptr);
+    return take(
+        {Call::CancelComplete, transaction, group, S_OK, S_OK, {}}, 0, nullptr, nullptr, nullptr, nullptr, nullptr);
 }
 
 Subscription::Subscription(IOPCItemMgt *group)

@@ -1,18 +1,18 @@
 #pragma once
-#include "com/object.h"
+#include "app/opc-da/com/object.h"
 #include "tests/opc/client/opcclient.h"
 
 #include <map>
 #include <mutex>
 
-namespace opctest
-{
+namespace opctest {
 
 /// A client's ear: keeps what the gateway says.
 class Listener final : public Object<IOPCDataCallback>
 {
 public:
-    struct Call {
+    struct Call
+    {
         enum Kind { Change, ReadComplete, WriteComplete, CancelComplete };
         Kind kind;
         DWORD transaction;
@@ -34,19 +34,20 @@ public:
     std::atomic<long long> values = 0; ///< told altogether
 
     STDMETHODIMP OnDataChange(
-        DWORD transaction, OPCHANDLE group, HRESULT quality, HRESULT error, DWORD count, OPCHANDLE *items, VARIANT *values,
-        WORD *qualities, FILETIME *times, HRESULT *errors) override;
+        DWORD transaction, OPCHANDLE group, HRESULT quality, HRESULT error, DWORD count, OPCHANDLE *items,
+        VARIANT *values, WORD *qualities, FILETIME *times, HRESULT *errors) override;
     STDMETHODIMP OnReadComplete(
-        DWORD transaction, OPCHANDLE group, HRESULT quality, HRESULT error, DWORD count, OPCHANDLE *items, VARIANT *values,
-        WORD *qualities, FILETIME *times, HRESULT *errors) override;
+        DWORD transaction, OPCHANDLE group, HRESULT quality, HRESULT error, DWORD count, OPCHANDLE *items,
+        VARIANT *values, WORD *qualities, FILETIME *times, HRESULT *errors) override;
     STDMETHODIMP
-    OnWriteComplete(DWORD transaction, OPCHANDLE group, HRESULT error, DWORD count, OPCHANDLE *items, HRESULT *errors) override;
+    OnWriteComplete(
+        DWORD transaction, OPCHANDLE group, HRESULT error, DWORD count, OPCHANDLE *items, HRESULT *errors) override;
     STDMETHODIMP OnCancelComplete(DWORD transaction, OPCHANDLE group) override;
 
 private:
     HRESULT take(
-        Call call, DWORD count, const OPCHANDLE *items, const VARIANT *told, const WORD *qualities, const FILETIME *times,
-        const HRESULT *errors);
+        Call call, DWORD count, const OPCHANDLE *items, const VARIANT *told, const WORD *qualities,
+        const FILETIME *times, const HRESULT *errors);
 
     std::mutex m_mutex;
     std::vector<Call> m_calls;
@@ -54,7 +55,8 @@ private:
 };
 
 /// A subscription of a group, ended by unadvise() or left to the end of the group.
-struct Subscription {
+struct Subscription
+{
     ComPtr<Listener> listener = made<Listener>();
     ComPtr<IConnectionPoint> point;
     DWORD cookie = 0;

@@ -5,20 +5,20 @@
 #include <cstdio>
 #include <cstring>
 
-namespace
-{
+namespace {
 
-struct Case {
+struct Case
+{
     const char *word;
     void (*run)();
 };
 
 using namespace opctest;
 constexpr Case Cases[] = {
-    {"registry", testRegistry}, {"server", testServer},     {"browsing", testBrowsing}, {"items", testItems},
-    {"reading", testReading},   {"callbacks", testCallbacks}, {"state", testState},     {"thousand", testThousand},
-    {"outage", testOutage},     {"death", testDeath},       {"shutdown", testShutdown}, {"hold", testHold},
-    {"survivor", testSurvivor}, {"ending", testEnding},     {"chain", testChain},       {"bench", runBench},
+    {"registry", testRegistry}, {"server", testServer},       {"browsing", testBrowsing}, {"items", testItems},
+    {"reading", testReading},   {"callbacks", testCallbacks}, {"state", testState},       {"thousand", testThousand},
+    {"outage", testOutage},     {"death", testDeath},         {"shutdown", testShutdown}, {"hold", testHold},
+    {"survivor", testSurvivor}, {"ending", testEnding},       {"chain", testChain},       {"bench", runBench},
 };
 
 bool run(const char *word)

@@ -2,8 +2,7 @@
 
 #include <tlhelp32.h>
 
-namespace opctest
-{
+namespace opctest {
 
 std::wstring bulkName(int number)
 {
@@ -19,7 +18,8 @@ ComPtr<IOPCServer> connected(HRESULT *result)
     HRESULT code = CLSIDFromProgID(L"OPC.DA.GorizontServer", &clsid);
     if (SUCCEEDED(code)) {
         code = CoCreateInstance(
-            clsid, nullptr, CLSCTX_LOCAL_SERVER, __uuidof(IOPCServer), reinterpret_cast<void **>(server.GetAddressOf()));
+            clsid, nullptr, CLSCTX_LOCAL_SERVER, __uuidof(IOPCServer),
+            reinterpret_cast<void **>(server.GetAddressOf()));
     }
     if (result)
         *result = code;
@@ -49,8 +49,8 @@ OPCITEMDEF wantedItem(const std::wstring &id, OPCHANDLE client, VARTYPE type)
     return item;
 }
 
-std::vector<OPCHANDLE>
-addItems(IOPCItemMgt *group, const std::vector<std::wstring> &ids, VARTYPE type, std::vector<HRESULT> *errors)
+std::vector<OPCHANDLE> addItems(
+    IOPCItemMgt *group, const std::vector<std::wstring> &ids, VARTYPE type, std::vector<HRESULT> *errors)
 {
     std::vector<OPCITEMDEF> wanted;
     for (const std::wstring &id : ids)
@@ -58,7 +58,8 @@ addItems(IOPCItemMgt *group, const std::vector<std::wstring> &ids, VARTYPE type,
     Allocated<OPCITEMRESULT> results;
     Allocated<HRESULT> codes;
     std::vector<OPCHANDLE> handles(ids.size());
-    if (FAILED(group->AddItems(static_cast<DWORD>(wanted.size()), wanted.data(), &results, &codes)) || !results || !codes)
+    if (FAILED(group->AddItems(static_cast<DWORD>(wanted.size()), wanted.data(), &results, &codes)) || !results
+        || !codes)
         return handles;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         handles[i] = results[i].hServer;
@@ -85,14 +86,15 @@ ReadItem readItem(const VARIANT &value)
     return item;
 }
 
-std::vector<ReadItem>
-readItems(IOPCItemMgt *group, std::vector<OPCHANDLE> handles, OPCDATASOURCE source, HRESULT *result)
+std::vector<ReadItem> readItems(
+    IOPCItemMgt *group, std::vector<OPCHANDLE> handles, OPCDATASOURCE source, HRESULT *result)
 {
     const auto reader = as<IOPCSyncIO>(group);
     Allocated<OPCITEMSTATE> states;
     Allocated<HRESULT> errors;
-    const HRESULT code
-        = reader ? reader->Read(source, static_cast<DWORD>(handles.size()), handles.data(), &states, &errors) : E_NOINTERFACE;
+    const HRESULT code = reader
+        ? reader->Read(source, static_cast<DWORD>(handles.size()), handles.data(), &states, &errors)
+        : E_NOINTERFACE;
     if (result)
         *result = code;
     std::vector<ReadItem> items(handles.size());

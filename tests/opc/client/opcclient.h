@@ -3,8 +3,7 @@
 
 #include <vector>
 
-namespace opctest
-{
+namespace opctest {
 
 inline const std::wstring And3 = L"[COM5].Sensor_001[AND3][Addr:002]";
 inline const std::wstring Ind3 = L"[COM16].Sensor_002[IND3][Addr:003]";
@@ -14,8 +13,7 @@ constexpr int Bulk = 1000;
 std::wstring bulkName(int number); ///< from 1
 
 /// Freed at the end of its scope. What a method has allocated for its caller.
-template <class T>
-class Allocated
+template <class T> class Allocated
 {
 public:
     Allocated() = default;
@@ -36,8 +34,7 @@ using AllocatedText = Allocated<wchar_t>;
 /// By ProgID, in a process of its own.
 ComPtr<IOPCServer> connected(HRESULT *result = nullptr);
 
-template <class Interface>
-ComPtr<Interface> as(IUnknown *object)
+template <class Interface> ComPtr<Interface> as(IUnknown *object)
 {
     ComPtr<Interface> found;
     if (object)
@@ -45,20 +42,24 @@ ComPtr<Interface> as(IUnknown *object)
     return found;
 }
 
-struct AddedGroup {
+struct AddedGroup
+{
     ComPtr<IOPCItemMgt> items;
     OPCHANDLE handle = 0;
     DWORD rate = 0;
     HRESULT result = E_FAIL;
 };
-AddedGroup addGroup(IOPCServer *server, const wchar_t *name, DWORD rate = 100, bool isActive = true, float deadband = 0);
+AddedGroup addGroup(
+    IOPCServer *server, const wchar_t *name, DWORD rate = 100, bool isActive = true, float deadband = 0);
 
 OPCITEMDEF wantedItem(const std::wstring &id, OPCHANDLE client = 0, VARTYPE type = VT_EMPTY);
 /// Adds items with the client handles 0, 1, …; the server handles, 0 for one that was refused.
 std::vector<OPCHANDLE> addItems(
-    IOPCItemMgt *group, const std::vector<std::wstring> &ids, VARTYPE type = VT_EMPTY, std::vector<HRESULT> *errors = nullptr);
+    IOPCItemMgt *group, const std::vector<std::wstring> &ids, VARTYPE type = VT_EMPTY,
+    std::vector<HRESULT> *errors = nullptr);
 
-struct ReadItem {
+struct ReadItem
+{
     HRESULT error = E_FAIL;
     WORD quality = 0;
     OPCHANDLE client = 0;

@@ -2,11 +2,9 @@
 
 #include <cstdio>
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 int failed = 0;
 
 std::string hex(HRESULT code)

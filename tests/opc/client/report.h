@@ -1,10 +1,9 @@
 #pragma once
-#include "com/windowstext.h"
+#include "app/opc-da/com/windowstext.h"
 
 #include <string>
 
-namespace opctest
-{
+namespace opctest {
 
 using namespace opcda;
 
@@ -21,10 +20,10 @@ void note(const std::string &what);
 int failures();
 
 /// Waits for a condition, looking every 10 ms; false when `seconds` have passed.
-template <class Condition>
-bool happens(Condition condition, int seconds = 20)
+template <class Condition> bool happens(Condition condition, int seconds = 20)
 {
-    for (const ULONGLONG end = GetTickCount64() + 1000ull * static_cast<unsigned>(seconds); GetTickCount64() < end; Sleep(10)) {
+    for (const ULONGLONG end = GetTickCount64() + 1000ull * static_cast<unsigned>(seconds); GetTickCount64() < end;
+         Sleep(10)) {
         if (condition())
             return true;
     }

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <comcat.h>
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 
 bool isInCategory(const wchar_t *category, const CLSID &wanted)
 {
@@ -61,8 +59,10 @@ void testSentences(IOPCServer *server)
     Allocated<LCID> locales;
     DWORD count = 0;
     checkResult("locales", S_OK, common->QueryAvailableLocaleIDs(&count, &locales));
-    check("locales.both", std::count(locales.get(), locales.get() + count, 0x0409u) == 1
-              && std::count(locales.get(), locales.get() + count, 0x0419u) == 1);
+    check(
+        "locales.both",
+        std::count(locales.get(), locales.get() + count, 0x0409u) == 1
+            && std::count(locales.get(), locales.get() + count, 0x0419u) == 1);
     checkResult("locale.set", S_OK, common->SetLocaleID(0x0419));
     LCID locale = 0;
     common->GetLocaleID(&locale);
@@ -86,12 +86,13 @@ void testGroupList(IOPCServer *server)
     ComPtr<IUnknown> found;
     checkResult(
         "group.byname", S_OK, server->GetGroupByName(L"Первая", __uuidof(IOPCGroupStateMgt), found.GetAddressOf()));
-    check("group.byname.missing", FAILED(server->GetGroupByName(L"нет", __uuidof(IUnknown), found.ReleaseAndGetAddressOf())));
+    check(
+        "group.byname.missing",
+        FAILED(server->GetGroupByName(L"нет", __uuidof(IUnknown), found.ReleaseAndGetAddressOf())));
 
     ComPtr<IUnknown> list;
     checkResult(
-        "groups.names", S_OK,
-        server->CreateGroupEnumerator(OPC_ENUM_ALL, __uuidof(IEnumString), list.GetAddressOf()));
+        "groups.names", S_OK, server->CreateGroupEnumerator(OPC_ENUM_ALL, __uuidof(IEnumString), list.GetAddressOf()));
     const auto names = stringsOf(as<IEnumString>(list.Get()).Get());
     check("groups.names.all", names.size() == 2 && std::count(names.begin(), names.end(), L"Первая") == 1);
     checkResult(
@@ -134,9 +135,11 @@ void testServer()
     checkResult("activation", S_OK, result);
     if (!server)
         return;
-    check("server.interfaces", as<IOPCCommon>(server.Get()) && as<IConnectionPointContainer>(server.Get())
-              && as<IOPCBrowseServerAddressSpace>(server.Get()) && as<IOPCItemProperties>(server.Get())
-              && as<IOPCBrowse>(server.Get()) && as<IOPCItemIO>(server.Get()));
+    check(
+        "server.interfaces",
+        as<IOPCCommon>(server.Get()) && as<IConnectionPointContainer>(server.Get())
+            && as<IOPCBrowseServerAddressSpace>(server.Get()) && as<IOPCItemProperties>(server.Get())
+            && as<IOPCBrowse>(server.Get()) && as<IOPCItemIO>(server.Get()));
     testStatus(server.Get());
     testSentences(server.Get());
     testGroupList(server.Get());

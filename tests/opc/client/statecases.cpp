@@ -1,13 +1,12 @@
 #include "tests/opc/client/cases.h"
 #include "tests/opc/client/listener.h"
 
-namespace opctest
-{
+namespace opctest {
 
-namespace
-{
+namespace {
 
-struct State {
+struct State
+{
     DWORD rate = 0;
     BOOL isActive = FALSE;
     AllocatedText name;
@@ -35,8 +34,10 @@ void testState()
     const auto state = as<IOPCGroupStateMgt>(group.items.Get());
     const State before(state.Get());
     checkText("state.name", L"Состояние", before.name.get());
-    check("state.values", before.rate == 250 && before.isActive && before.deadband == 5 && before.locale == 0x0409
-              && before.client == 77 && before.server == group.handle);
+    check(
+        "state.values",
+        before.rate == 250 && before.isActive && before.deadband == 5 && before.locale == 0x0409 && before.client == 77
+            && before.server == group.handle);
 
     DWORD rate = 7;
     DWORD revised = 0;
@@ -44,7 +45,8 @@ void testState()
     FLOAT deadband = 200;
     OPCHANDLE client = 99;
     checkResult(
-        "state.deadband.wrong", E_INVALIDARG, state->SetState(nullptr, &revised, nullptr, nullptr, &deadband, nullptr, nullptr));
+        "state.deadband.wrong", E_INVALIDARG,
+        state->SetState(nullptr, &revised, nullptr, nullptr, &deadband, nullptr, nullptr));
     checkResult(
         "state.set", static_cast<HRESULT>(0x0004000D),
         state->SetState(&rate, &revised, nullptr, &bias, nullptr, nullptr, &client));
