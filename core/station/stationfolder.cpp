@@ -13,7 +13,7 @@ struct Station
     Q_DECLARE_TR_FUNCTIONS(Station)
 };
 
-constexpr qint64 longestFile = 1024 * 1024; ///< bytes
+constexpr qint64 longestFile = 1 << 20; ///< bytes
 
 /// Empty: \a bytes hold the file.
 QString problemOf(const QString &path, QByteArray &bytes)

@@ -111,8 +111,7 @@ std::optional<double> StationPipeline::temperature(int thermometer) const
 
 void StationPipeline::push()
 {
-    for (std::size_t i = 0; i < m_tracks.size(); ++i) {
-        Track &track = m_tracks[i];
+    for (Track &track : m_tracks) {
         track.rawWindows.push(track.raw);
         if (auto *scalar = std::get_if<ScalarWindows>(&track.windows)) {
             const bool isMaximum = scalar->push(track.judged.good());
