@@ -43,11 +43,13 @@ QList<ack::Asked> RequestListener::hear(QByteArrayView bytes, SteadyTime now)
             }
         }
         done += found.skip + found.length;
+        if (found.skip + found.length > 0) {
+            m_frameBegan = now;
+        }
         if (found.state == Scan::State::Incomplete) {
             m_heard.remove(0, done);
             return requests;
         }
-        m_frameBegan = now;
     }
 }
 
@@ -92,9 +94,6 @@ std::optional<ack::Asked> RequestListener::take(QByteArrayView frame)
 
 void RequestListener::giveUpStale(SteadyTime now)
 {
-    if (m_heard.size() < ack::headerSize) {
-        return; // a header that was only begun costs nothing: the next one is found behind it
-    }
     const auto header = ack::readHeader(m_heard);
     const qsizetype length = ack::headerSize + (header ? blockLength(*header).value_or(0) : 0);
     if (now - m_lastHeard > longestSilence || now - m_frameBegan > longestSilence + 2 * length * m_byteTime) {

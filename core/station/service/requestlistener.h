@@ -14,7 +14,7 @@ namespace gorizont::station {
 /// text looks like a request. Pure: time is given. One for each line or connection.
 ///
 /// Frames that are meant for others are skipped whole when their block is good, so that what lies inside is never taken for a
-/// request. The block of an answer can be told only from the question before it, which is remembered. A block that does not
+/// request. The block of an answer can be told only from the question before it, which is remembered. What does not
 /// come to its end is given up after a silence, or when it takes far longer than its bytes need: the station is not deaf then.
 class RequestListener
 {

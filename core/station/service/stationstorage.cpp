@@ -40,9 +40,14 @@ StationStorage::StationStorage(const QString &folder, QObject *parent)
 
 void StationStorage::add(const StoredLine &line)
 {
+    if (m_posted >= mostWaiting) {
+        return;
+    }
+    ++m_posted;
     QMetaObject::invokeMethod(
         this,
         [this, line] {
+            --m_posted;
             m_waiting.push_back(line);
             if (m_waiting.size() > mostWaiting) {
                 m_waiting.pop_front();

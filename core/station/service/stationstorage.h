@@ -52,6 +52,7 @@ private:
     std::map<QString, RecordFile> m_files; ///< the last few, by path
     QHash<QString, QByteArray> m_headings; ///< the last of each file that is open, by path
     std::deque<StoredLine> m_waiting;
+    std::atomic<std::size_t> m_posted{0}; ///< by add(), not taken yet: a disk that hangs in the system must not eat the memory
     QTimer m_retry{this};
     bool m_isBad = false;
 };
