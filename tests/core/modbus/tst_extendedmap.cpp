@@ -134,7 +134,10 @@ private Q_SLOTS:
                    "3F80 0000" // 1 s
                    "3D00 0000")); // 0.03125 s = 2^−5
         QCOMPARE(read(images, blockOf2 + 64, 8), spaced("7FC0 0000 7FC0 0000 7FC0 0000 7FC0 0000")); // in no chain
-        QCOMPARE(read(images, blockOf2 + 72, 28), zeros(28));
+        QCOMPARE(read(images, blockOf2 + 72, 8), zeros(8));
+        // No wind, no weather: floats that are not there.
+        QCOMPARE(read(images, blockOf2 + 80, 12), spaced("7FC00000 7FC00000 7FC00000 7FC00000 7FC00000 7FC00000"));
+        QCOMPARE(read(images, blockOf2 + 92, 8), zeros(8));
     }
 
     void aSensorInAChainHasDisplacements()
