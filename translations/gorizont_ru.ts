@@ -3493,6 +3493,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>fault, warning or stop of a measurement</source>
         <translation>неисправность, предупреждение или останов по измерению</translation>
     </message>
+    <message>
+        <source>The supply voltage of the station&apos;s sensors is bad</source>
+        <translation>Напряжение питания датчиков станции не в норме</translation>
+    </message>
 </context>
 <context>
     <name>Station</name>
@@ -7650,6 +7654,29 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
 </context>
 <context>
+    <name>gorizont::StationFilesModel</name>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Строка</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Поле</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Что не так</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Что сделано</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::StationMain</name>
     <message>
         <source>There is no folder %1. Name the one with ACK.INI with --config.</source>
@@ -9298,10 +9325,6 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
         <translation>Станция отвечает, но у неё ещё нет данных.</translation>
     </message>
     <message>
-        <source>The supply voltage of the station&apos;s sensors is bad: its values are not to be trusted. Check the power supply.</source>
-        <translation>Напряжение питания датчиков станции не в норме: её значениям верить нельзя. Проверьте питание.</translation>
-    </message>
-    <message>
         <source>The station answers, but none of its values is valid.</source>
         <translation>Станция отвечает, но ни одно из её значений не достоверно.</translation>
     </message>
@@ -9358,12 +9381,20 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
         <translation>Осадки</translation>
     </message>
     <message>
-        <source>The station tells of no precipitation. Only command 8 brings it.</source>
-        <translation>Станция не сообщает об осадках. Их передаёт только команда 8.</translation>
-    </message>
-    <message>
         <source>Parameters of the weather station</source>
         <translation>Параметры метеостанции</translation>
+    </message>
+    <message>
+        <source>%1: its values are not to be trusted. Check the power supply.</source>
+        <translation>%1: её значениям верить нельзя. Проверьте питание.</translation>
+    </message>
+    <message>
+        <source>No precipitation is known. Only command 8 brings it.</source>
+        <translation>Осадков нет. О них сообщает только команда 8.</translation>
+    </message>
+    <message>
+        <source>Errors in the files of the station</source>
+        <translation>Ошибки в файлах станции</translation>
     </message>
 </context>
 <context>

@@ -132,7 +132,7 @@ private:
     ExitCode setOutputs()
     {
         const QString setting = u"outputs"_s;
-        const QString word = u"0x%1"_s.arg(m_options.word, 8, 16, u'0');
+        const QString word = u"0x%1"_s.arg(m_options.word, 8, 16, QLatin1Char('0'));
         if (!isAgreed(Text::tr("Give the outputs of station %1 the word %2?").arg(m_options.address).arg(word))) {
             return notAgreed(setting);
         }

@@ -54,7 +54,7 @@ QString textOf(const Weather &weather)
     if (weather.parameters.isEmpty()) {
         lines.append(Text::tr("the station has no data"));
     }
-    lines.append(Text::tr("digital inputs: %1").arg(weather.digital, 8, 16, u'0'));
+    lines.append(Text::tr("digital inputs: %1").arg(weather.digital, 8, 16, QLatin1Char('0')));
     for (const PrecipitationEvent &event : weather.events) {
         lines.append(lineOf(event));
     }

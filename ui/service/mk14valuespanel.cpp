@@ -65,6 +65,7 @@ Mk14ValuesPanel::Mk14ValuesPanel(QWidget *parent)
         m_table->columns().setSample(column, QStringLiteral("-1000.00"));
     }
     fitRows(*m_table, rowsInSight);
+    m_table->setMinimumWidth(100 * m_table->fontMetrics().averageCharWidth());
     m_rainTable->setModel(m_rain);
     m_rainTable->setAccessibleName(tr("Precipitation"));
     m_rainTable->setEmptyText(tr("No precipitation. Only command 8 brings it."));

@@ -34,7 +34,7 @@ void setRainColumns(TableColumns &columns)
 {
     columns.setSample(PrecipitationModel::Begin, QStringLiteral("28.11.2026 23:59:59"));
     columns.setSample(PrecipitationModel::End, QStringLiteral("28.11.2026 23:59:59"));
-    columns.setElastic(PrecipitationModel::Duration, QStringLiteral("100:00:00"));
+    columns.setElastic(PrecipitationModel::Duration, QStringLiteral("10:00:00"));
 }
 
 void setFileColumns(TableColumns &columns)
@@ -105,9 +105,17 @@ QWidget *WeatherPage::makeNumbers()
 {
     auto *side = makeSplitter(Qt::Vertical, QStringLiteral("weatherSide"), this);
     m_windTable->setModel(m_wind);
+    connect(m_wind, &PropertyModel::modelReset, m_windTable, [this] {
+        m_windTable->clearSpans();
+        for (int row = 0; row < m_wind->rowCount(); ++row) {
+            if (m_wind->properties().at(row).isSection) {
+                m_windTable->setSpan(row, 0, 1, m_wind->columnCount());
+            }
+        }
+    });
     m_windTable->setAccessibleName(tr("The wind as numbers"));
-    m_windTable->columns().setSample(PropertyModel::Name, QString(30, u'n'));
-    m_windTable->columns().setElastic(PropertyModel::Value, QStringLiteral("359° ЗСЗ (100.0 %)"));
+    m_windTable->columns().setSample(PropertyModel::Name, QString(28, u'n'));
+    m_windTable->columns().setElastic(PropertyModel::Value, QStringLiteral("359° ЗСЗ"));
     auto *lower = new QWidget(side);
     auto *layout = new QVBoxLayout(lower);
     layout->setContentsMargins(0, TableColumns::sideMargin, 0, 0);
@@ -121,7 +129,7 @@ QWidget *WeatherPage::makeNumbers()
     lamps->addStretch(1);
     m_rainTable->setModel(m_rain);
     m_rainTable->setAccessibleName(tr("Precipitation"));
-    m_rainTable->setEmptyText(tr("The station tells of no precipitation. Only command 8 brings it."));
+    m_rainTable->setEmptyText(tr("No precipitation is known. Only command 8 brings it."));
     setRainColumns(m_rainTable->columns());
     layout->addLayout(inputsHeading);
     layout->addLayout(lamps);
@@ -155,6 +163,7 @@ void WeatherPage::build()
     rows->setStretchFactor(0, 3);
     rows->setStretchFactor(1, 2);
     rows->setStretchFactor(2, 1);
+    rows->setSizes({460, 9 * m_table->verticalHeader()->defaultSectionSize(), 120});
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -176,7 +176,7 @@ void WindRoseView::paintArrows(QPainter &painter, const Place &at) const
     if (m_now.meanDirection) {
         painter.setPen(QPen(text, 1.5));
         painter.setBrush(palette().base());
-        painter.drawPolygon(triangle(at.outer - size / 2, *m_now.meanDirection));
+        painter.drawPolygon(triangle(at.outer - size, *m_now.meanDirection));
     }
     if (m_now.direction) {
         painter.setPen(QPen(palette().color(QPalette::Base), 5));

@@ -1,5 +1,6 @@
 #include "ui/weather/windroseview.h"
 
+#include "core/values/wind.h"
 #include "ui/models/valuetext.h"
 #include "ui/models/weathertext.h"
 
@@ -18,8 +19,8 @@ WindNow WindNow::of(const Weather &weather)
     if (const WeatherParameter *speed = weather.find(weathercode::windSpeed)) {
         now.meanSpeed = speed->mean;
         now.speed = speed->instant ? speed->instant : speed->mean;
-        now.gust = speed->maximum ? speed->maximum : speed->maxPeriod;
     }
+    now.gust = windOf(weather).maximum;
     return now;
 }
 

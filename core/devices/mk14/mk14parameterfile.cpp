@@ -101,12 +101,12 @@ QString orNothing(const QString &field)
 
 std::optional<ParameterName> parameterIn(const QStringList &fields)
 {
-    if (fields.size() < neededFields || fields.at(3).size() != 1) {
+    if (fields.size() < neededFields || fields.at(3).size() != 1 || !fields.at(3).front().isLetter()) {
         return std::nullopt;
     }
     bool isNumber = false;
     const int number = fields.at(4).toInt(&isNumber);
-    if (!isNumber || number < 0) {
+    if (!isNumber || number < 1) {
         return std::nullopt;
     }
     return ParameterName{fields.at(3).front(), number, orNothing(fields.at(0)), orNothing(fields.at(1))};
