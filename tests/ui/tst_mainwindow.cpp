@@ -214,7 +214,7 @@ private Q_SLOTS:
     {
         QVERIFY(!m_window->findChild<QAction *>(QStringLiteral("opcTagsAction")));
         m_config.servesOpc = true;
-        open();
+        open({});
         const QSignalSpy asked(m_window.get(), &MainWindow::opcTagsRequested);
         trigger("opcTagsAction");
         QCOMPARE(asked.size(), 1);
