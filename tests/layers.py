@@ -28,6 +28,7 @@ ROOMS = {
     "core/adc24": ["core/values", "core/config", "core/registry", "core/protocol", "core/net"],
     "core/mqtt": ["core/values", "core/files", "core/config", "core/registry"],
     "core/metrics": ["core/values", "core/config", "core/registry"],
+    "core/opc": ["core/values", "core/config", "core/registry", "core/net"],
     "core/export": ["core/values"],
     "core/simulation": [
         "core/values", "core/protocol/mbap.h", "core/line", "core/devices/simulateddevice.h", "core/devices/drivercatalog.h",

@@ -311,6 +311,21 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>GatewayRegistration</name>
+    <message>
+        <source>%1 is missing. Install the program with its OPC DA part.</source>
+        <translation>Нет файла %1. Установите программу вместе с частью OPC DA.</translation>
+    </message>
+    <message>
+        <source>Windows has refused it (error %1). Start the program once as administrator.</source>
+        <translation>Windows отказала (ошибка %1). Запустите программу один раз от имени администратора.</translation>
+    </message>
+    <message>
+        <source>The gateway does not start (%1).</source>
+        <translation>Шлюз не запускается (%1).</translation>
+    </message>
+</context>
+<context>
     <name>Ind3Driver</name>
     <message>
         <source>The protocol &quot;%1&quot; is not known; 2.11 is used</source>
@@ -510,6 +525,224 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>MQTT: disk or name server were busy for too long, readings that were not kept: %1.</source>
         <translation>MQTT: диск или сервер имён слишком долго были заняты, не сохранено измерений: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>OpcSentences</name>
+    <message>
+        <source>OPC DA: gateways of this computer are fed on port %1.</source>
+        <translation>OPC DA: шлюзы этого компьютера получают данные на порту %1.</translation>
+    </message>
+    <message>
+        <source>OPC DA needs Windows; here only the feed for a gateway gorizont-opc-da works, on port %1 of this computer.</source>
+        <translation>Для OPC DA нужна Windows; здесь работает только поток данных для шлюза gorizont-opc-da, на порту %1 этого компьютера.</translation>
+    </message>
+    <message>
+        <source>OPC DA: a gateway was refused, %1 are connected already. One gateway serves any number of OPC clients; end those that are not needed.</source>
+        <translation>OPC DA: шлюзу отказано, уже подключено %1. Один шлюз обслуживает любое число клиентов OPC; завершите лишние.</translation>
+    </message>
+    <message>
+        <source>OPC DA: a client was disconnected, it is no gateway of this program (a line of more than 4096 bytes). Look what else uses the port given by [OPC] Port.</source>
+        <translation>OPC DA: клиент отключён, это не шлюз этой программы (строка длиннее 4096 байт). Проверьте, что ещё обращается к порту, заданному в [OPC] Port.</translation>
+    </message>
+    <message>
+        <source>OPC DA: a gateway was disconnected, it takes nothing any more. It connects again by itself; if not, end gorizont-opc-da in the task manager.</source>
+        <translation>OPC DA: шлюз отключён, он больше не принимает данные. Он подключится снова сам; если нет, завершите gorizont-opc-da в диспетчере задач.</translation>
+    </message>
+    <message>
+        <source>OPC DA: the gateway was registered with another list of tags. Start the program once as administrator, and let the SCADA system read the list of tags anew.</source>
+        <translation>OPC DA: шлюз зарегистрирован с другим списком тэгов. Запустите программу один раз от имени администратора и заново прочитайте список тэгов в системе SCADA.</translation>
+    </message>
+</context>
+<context>
+    <name>OpcTags</name>
+    <message>
+        <source>the restart was acknowledged</source>
+        <translation>перезагрузка подтверждена</translation>
+    </message>
+    <message>
+        <source>angles are ready</source>
+        <translation>углы готовы</translation>
+    </message>
+    <message>
+        <source>temperature is ready</source>
+        <translation>температура готова</translation>
+    </message>
+    <message>
+        <source>the transducer does not answer</source>
+        <translation>первичный преобразователь не отвечает</translation>
+    </message>
+    <message>
+        <source>CRC errors of the transducer</source>
+        <translation>ошибки CRC первичного преобразователя</translation>
+    </message>
+    <message>
+        <source>the transducer is out of range</source>
+        <translation>первичный преобразователь вне диапазона</translation>
+    </message>
+    <message>
+        <source>temperature cannot be read</source>
+        <translation>температура не читается</translation>
+    </message>
+    <message>
+        <source>temperature is out of range</source>
+        <translation>температура вне диапазона</translation>
+    </message>
+    <message>
+        <source>temperature, °C</source>
+        <translation>температура, °C</translation>
+    </message>
+    <message>
+        <source>reserve</source>
+        <translation>резерв</translation>
+    </message>
+    <message>
+        <source>packets of accelerations read since the start</source>
+        <translation>прочитано пакетов ускорений с начала работы</translation>
+    </message>
+    <message>
+        <source>angle X, arc-seconds</source>
+        <translation>угол X, угл. сек.</translation>
+    </message>
+    <message>
+        <source>angle Y, arc-seconds</source>
+        <translation>угол Y, угл. сек.</translation>
+    </message>
+    <message>
+        <source>largest acceleration, X, mm/s²</source>
+        <translation>максимальное ускорение, X, мм/с²</translation>
+    </message>
+    <message>
+        <source>largest acceleration, Y, mm/s²</source>
+        <translation>максимальное ускорение, Y, мм/с²</translation>
+    </message>
+    <message>
+        <source>RMS of acceleration, X, mm/s²</source>
+        <translation>СКО ускорения, X, мм/с²</translation>
+    </message>
+    <message>
+        <source>RMS of acceleration, Y, mm/s²</source>
+        <translation>СКО ускорения, Y, мм/с²</translation>
+    </message>
+    <message>
+        <source>variation of angle X, degrees</source>
+        <translation>разброс угла X, град.</translation>
+    </message>
+    <message>
+        <source>variation of angle Y, degrees</source>
+        <translation>разброс угла Y, град.</translation>
+    </message>
+    <message>
+        <source>displacement over the foot of the chain, X, mm</source>
+        <translation>перемещение относительно основания цепи, X, мм</translation>
+    </message>
+    <message>
+        <source>displacement over the foot of the chain, Y, mm</source>
+        <translation>перемещение относительно основания цепи, Y, мм</translation>
+    </message>
+    <message>
+        <source>channel %1: </source>
+        <translation>канал %1: </translation>
+    </message>
+    <message>
+        <source>short circuit of the sensor line</source>
+        <translation>короткое замыкание линии датчика</translation>
+    </message>
+    <message>
+        <source>break of the sensor line</source>
+        <translation>обрыв линии датчика</translation>
+    </message>
+    <message>
+        <source>measurement %1: </source>
+        <translation>измерение %1: </translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>неисправность</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>предупреждение</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>аварийный останов</translation>
+    </message>
+    <message>
+        <source>the baseline is exceeded</source>
+        <translation>превышена базовая линия</translation>
+    </message>
+    <message>
+        <source>relay %1: </source>
+        <translation>реле %1: </translation>
+    </message>
+    <message>
+        <source>logical state</source>
+        <translation>логическое состояние</translation>
+    </message>
+    <message>
+        <source>physical state</source>
+        <translation>физическое состояние</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>ошибка</translation>
+    </message>
+    <message>
+        <source>its type, MEAS_TYPE</source>
+        <translation>тип, MEAS_TYPE</translation>
+    </message>
+    <message>
+        <source>value in the unit of the type</source>
+        <translation>значение в единицах типа</translation>
+    </message>
+    <message>
+        <source>percent of the scale</source>
+        <translation>процент шкалы</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>instantaneous value</source>
+        <translation>мгновенное значение</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>минимум</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>максимум</translation>
+    </message>
+    <message>
+        <source>primary value, mean</source>
+        <translation>первичное значение, среднее</translation>
+    </message>
+    <message>
+        <source>primary value, instantaneous</source>
+        <translation>первичное значение, мгновенное</translation>
+    </message>
+    <message>
+        <source>maximum since the last request</source>
+        <translation>максимум с последнего запроса</translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation>СКО</translation>
+    </message>
+    <message>
+        <source>digital input, bit %1</source>
+        <translation>цифровой вход, бит %1</translation>
+    </message>
+    <message>
+        <source>it rains: the last event is a beginning</source>
+        <translation>идут осадки: последнее событие — начало</translation>
+    </message>
+    <message>
+        <source>V or Hz</source>
+        <translation>В или Гц</translation>
     </message>
 </context>
 <context>
@@ -1678,6 +1911,14 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>It is ignored. KeepRaw and KeepSamples bound the archive.</source>
         <translation>Он не учитывается. Архив ограничивают KeepRaw и KeepSamples.</translation>
     </message>
+    <message>
+        <source>%1 is the port of %2 already.</source>
+        <translation>%1 — это уже порт %2.</translation>
+    </message>
+    <message>
+        <source>OPC DA is not served until another port is given.</source>
+        <translation>OPC DA не обслуживается, пока не задан другой порт.</translation>
+    </message>
 </context>
 <context>
     <name>Settings</name>
@@ -2576,6 +2817,22 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>number of the sensor and length of its link, from the bottom</source>
         <translation>номер датчика и длина его звена, снизу вверх</translation>
+    </message>
+    <message>
+        <source>Port for OPC DA gateways</source>
+        <translation>Порт для шлюзов OPC DA</translation>
+    </message>
+    <message>
+        <source>number of the IP port where gateways on this computer get the tags</source>
+        <translation>номер IP порта, на котором шлюзы этого компьютера получают тэги</translation>
+    </message>
+    <message>
+        <source>Gateways connected</source>
+        <translation>Подключено шлюзов</translation>
+    </message>
+    <message>
+        <source>each serves any number of OPC clients</source>
+        <translation>каждый обслуживает любое число клиентов OPC</translation>
     </message>
 </context>
 <context>
@@ -4338,6 +4595,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>There is no display. Start the program with --headless.</source>
         <translation>Нет экрана. Запустите программу с ключом --headless.</translation>
     </message>
+    <message>
+        <source>With CanOPCDA=1 only one copy of the program may work, and another one serves OPC DA already. Close that copy, or set CanOPCDA=0 for this one.</source>
+        <translation>При CanOPCDA=1 может работать только одна копия программы, и другая копия уже обслуживает OPC DA. Закройте её или задайте для этой CanOPCDA=0.</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::MainWindow</name>
@@ -4432,6 +4693,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>C&amp;lients</source>
         <translation>&amp;Клиенты</translation>
+    </message>
+    <message>
+        <source>&amp;OPC DA tags…</source>
+        <translation>&amp;Тэги OPC DA…</translation>
     </message>
 </context>
 <context>
@@ -4555,6 +4820,72 @@ Acceleration, mm/s² = sample × scale.</source>
     </message>
 </context>
 <context>
+    <name>gorizont::OpcSetup</name>
+    <message>
+        <source>OPC DA: the list of tags is new (tags: %1). It was written to %2.</source>
+        <translation>OPC DA: новый список тэгов (тэгов: %1). Он записан в %2.</translation>
+    </message>
+    <message>
+        <source>OPC DA: the gateway could not be registered. %1</source>
+        <translation>OPC DA: шлюз не удалось зарегистрировать. %1</translation>
+    </message>
+    <message>
+        <source>OPC DA: the server OPC.DA.GorizontServer was registered. Later runs need no administrator.</source>
+        <translation>OPC DA: сервер OPC.DA.GorizontServer зарегистрирован. Дальше права администратора не нужны.</translation>
+    </message>
+    <message>
+        <source>OPC DA: %1 cannot be written (%2). Check the rights of the folder and the room on the disk.</source>
+        <translation>OPC DA: файл %1 не удалось записать (%2). Проверьте права на папку и место на диске.</translation>
+    </message>
+</context>
+<context>
+    <name>gorizont::OpcTagsDialog</name>
+    <message>
+        <source>OPC DA tags</source>
+        <translation>Тэги OPC DA</translation>
+    </message>
+    <message>
+        <source>Find a tag</source>
+        <translation>Найти тэг</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Тэг</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Тип</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Описание</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Копировать всё</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Save the tags</source>
+        <translation>Сохранить тэги</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Текст (*.txt)</translation>
+    </message>
+    <message>
+        <source>The file cannot be saved.</source>
+        <translation>Файл не удалось сохранить.</translation>
+    </message>
+</context>
+<context>
     <name>gorizont::Options</name>
     <message>
         <source>The configuration, GorizontServer.ini.</source>
@@ -4611,6 +4942,10 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>Prints the Modbus registers of the configuration as Markdown.</source>
         <translation>Печатает регистры Modbus этой конфигурации в формате Markdown.</translation>
+    </message>
+    <message>
+        <source>Prints the tags of OPC DA: name, type and description, parted by tabs.</source>
+        <translation>Печатает тэги OPC DA: имя, тип и описание через табуляцию.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,8 @@
 #include "ui/pages/measurementspage.h"
 #include "ui/pages/propertiespage.h"
 
+#include <utility>
+
 namespace gorizont {
 
 InfoPanel::InfoPanel(
@@ -25,15 +27,23 @@ InfoPanel::InfoPanel(
 
 void InfoPanel::setItem(SiteItem item)
 {
+    m_item = item;
     const auto index = static_cast<std::size_t>(item.index);
     switch (item.kind) {
-    case SiteItem::Kind::Server: m_settings->setProperties(serverSettings(m_config)); break;
+    case SiteItem::Kind::Server: m_settings->setProperties(serverSettings(m_config, m_gateways)); break;
     case SiteItem::Kind::Line:
         m_settings->setProperties(lineSettings(m_config, m_registry.lines()[index].config));
         break;
     case SiteItem::Kind::Sensor:
         m_settings->setProperties(sensorSettings(m_config, m_registry.sensors()[index].config));
         break;
+    }
+}
+
+void InfoPanel::setGateways(int count)
+{
+    if (std::exchange(m_gateways, count) != count && m_item == SiteItem::server()) {
+        setItem(m_item);
     }
 }
 

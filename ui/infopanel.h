@@ -23,10 +23,14 @@ public:
 
     void setItem(SiteItem item);
     void appendMeasurement(const QString &line);
+    /// How many gateways of OPC DA are connected.
+    void setGateways(int count);
 
 private:
     const SensorRegistry &m_registry;
     const ServerConfig m_config;
+    SiteItem m_item = SiteItem::server();
+    int m_gateways = 0;
     PropertiesPage *m_settings;
     MeasurementsPage *m_measurements;
 };

@@ -145,6 +145,9 @@ void MainWindow::setServerStatus(const QString &text)
 void MainWindow::setClients(const QString &service, const QList<ClientInfo> &clients)
 {
     m_state->setClients(service, clients);
+    if (service == QStringLiteral("OPC DA")) {
+        m_info->setGateways(static_cast<int>(clients.size()));
+    }
 }
 
 void MainWindow::refresh()

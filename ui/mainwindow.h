@@ -78,6 +78,8 @@ Q_SIGNALS:
     void retryRequested();
     /// The user wants to see the register map; who makes the window knows it.
     void registerMapRequested();
+    /// As above, the tags of OPC DA.
+    void opcTagsRequested();
     /// The user wants this connection to be cut off, and confirmed it.
     void clientDismissed(const QString &service, const QHostAddress &address, quint16 port);
 

@@ -82,6 +82,10 @@ void MainWindow::buildMenus()
     QMenu *help = menuBar()->addMenu(tr("&Help"));
     help->addAction(tr("Modbus &register map…"), this, &MainWindow::registerMapRequested)
         ->setObjectName(QStringLiteral("registerMapAction"));
+    if (m_config.servesOpc) {
+        help->addAction(tr("&OPC DA tags…"), this, &MainWindow::opcTagsRequested)
+            ->setObjectName(QStringLiteral("opcTagsAction"));
+    }
     QAction *about = help->addAction(tr("&About"), this, [this] { showAbout(this); });
     about->setObjectName(QStringLiteral("aboutAction"));
 }

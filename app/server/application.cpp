@@ -2,6 +2,7 @@
 
 #include "app/server/archive.h"
 #include "app/server/feeds.h"
+#include "app/server/opcservice.h"
 #include "app/server/readingprinter.h"
 #include "core/adc24/adc24server.h"
 #include "core/history/historywriter.h"
@@ -81,6 +82,9 @@ Application::Application(const ApplicationSettings &settings, QObject *parent)
         makeModbus();
     }
     makeAdc24();
+    if (settings.config.servesOpc) {
+        makeOpc();
+    }
     if (settings.printsReadings) {
         makePrinter();
     }
@@ -160,6 +164,18 @@ void Application::makeAdc24()
     connect(&m_serversThread, &QThread::finished, adc24, &Adc24Server::stop, Qt::DirectConnection);
 }
 
+void Application::makeOpc()
+{
+    m_opc = std::make_unique<OpcService>(OpcService::Site{
+        m_settings.config, m_settings.dataFolder, m_settings.ownsDataFolder, m_registry, m_journal, m_serversThread});
+    connect(m_opc.get(), &OpcService::clientsChanged, this, [this](const QList<ClientInfo> &all) {
+        Q_EMIT clientsChanged(OpcFeed::service(), all);
+        m_feeds->setClients(OpcFeed::service(), all.size());
+    });
+    connect(m_opc.get(), &OpcService::firstRunDone, this, &Application::opcFirstRunDone);
+    m_feeds->setClients(OpcFeed::service(), 0);
+}
+
 /// Before \a desk moves to its thread.
 void Application::connectDesk(ClientDesk &desk)
 {
@@ -174,6 +190,9 @@ void Application::connectDesk(ClientDesk &desk)
 
 void Application::dismissClient(const QString &service, const QHostAddress &address, quint16 port)
 {
+    if (m_opc && service == OpcFeed::service()) {
+        m_opc->dismiss(address, port);
+    }
     for (ClientDesk *desk : m_desks) {
         if (desk->service() == service) {
             QMetaObject::invokeMethod(

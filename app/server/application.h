@@ -23,6 +23,7 @@ class ClientDesk;
 class Feeds;
 class HistoryWriter;
 class ModbusServer;
+class OpcService;
 class ReadingPrinter;
 
 /// What the command line adds to the configuration.
@@ -74,11 +75,14 @@ Q_SIGNALS:
     void serverStatusChanged(const QString &text);
     /// All clients of \a service: once a second while there are any, and once after the last one left.
     void clientsChanged(const QString &service, const QList<gorizont::ClientInfo> &clients);
+    /// The first run with OPC DA, or with another list of tags, has done what it has to; \a message says what.
+    void opcFirstRunDone(const QString &message);
 
 private:
     void makeHistory();
     void makeModbus();
     void makeAdc24();
+    void makeOpc();
     void connectDesk(ClientDesk &desk);
     void makePrinter();
     void tellComplaints();
@@ -99,7 +103,8 @@ private:
     std::unique_ptr<Feeds> m_feeds; ///< MQTT and metrics
     std::unique_ptr<ModbusServer> m_modbus; ///< empty: CanModbus=0
     std::unique_ptr<Adc24Server> m_adc24; ///< empty: CanADC24=0, or no accelerometer
-    std::vector<ClientDesk *> m_desks; ///< of the servers above, which own them
+    std::unique_ptr<OpcService> m_opc; ///< empty: CanOPCDA=0
+    std::vector<ClientDesk *> m_desks; ///< of Modbus and ADC24, which own them
     std::unique_ptr<ReadingPrinter> m_printer; ///< empty: without --print-readings
     QString m_modbusText;
     QString m_mqttText;

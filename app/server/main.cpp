@@ -5,9 +5,11 @@
 #include "app/server/windowpages.h"
 #include "app/unixsignals.h"
 #include "core/modbus/registerdocument.h"
+#include "core/opc/opctags.h"
 #include "translations/translation.h"
 #include "ui/firstrundialog.h"
 #include "ui/mainwindow.h"
+#include "ui/opctagsdialog.h"
 #include "ui/registermapdialog.h"
 #include "ui/trayicon.h"
 
@@ -29,7 +31,7 @@ class Main
 /// Whether \a arguments ask for something that needs no window; known before anything is parsed.
 bool needsNoWindow(int argc, char **argv)
 {
-    static const QByteArrayList words{"--headless", "--help", "--version", "--print-register-map"};
+    static const QByteArrayList words{"--headless", "--help", "--version", "--print-register-map", "--print-opc-tags"};
     for (int i = 1; i < argc; ++i) {
         if (words.contains(QByteArray(argv[i]))) {
             return true;
@@ -114,6 +116,12 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
     QObject::connect(&window, &MainWindow::registerMapRequested, &window, [&window, &site] {
         (new RegisterMapDialog(registerDocument(site.reading.config), &window))->show();
     });
+    const auto showTags = [&window, &site](const QString &message) {
+        (new OpcTagsDialog(QString::fromUtf8(opcTagList(opcTags(site.reading.config.lines))), message, &window))
+            ->show();
+    };
+    QObject::connect(&window, &MainWindow::opcTagsRequested, &window, [showTags] { showTags({}); });
+    QObject::connect(&application, &Application::opcFirstRunDone, &window, showTags);
     QObject::connect(&window, &MainWindow::exitRequested, QCoreApplication::instance(), &QCoreApplication::quit);
     // Not quit() alone: that asks the windows, and CanClose=0 would ask the user.
     QObject::connect(&signals_, &UnixSignals::terminated, &window, &MainWindow::endWithoutQuestion);
@@ -144,6 +152,13 @@ int runSite(const Options &options, Site site)
     if (!isFirst && !config.allowsCopy) {
         return giveWay(instance, site, options);
     }
+    if (config.servesOpc && !instance.acquireOpc(config.opc.port)) {
+        return fail(
+            Main::tr(
+                "With CanOPCDA=1 only one copy of the program may work, and another one serves OPC DA already. Close "
+                "that copy, or set CanOPCDA=0 for this one."),
+            options, ExitSecondCopy);
+    }
     std::unique_ptr<DemoSite> demo;
     if (options.isDemo) {
         demo = std::make_unique<DemoSite>(site.reading.config.lines);
@@ -170,7 +185,9 @@ bool followLanguage(const Options &options, const ServerConfig &config)
     return decides;
 }
 
-int printRegisterMap(const Options &options, const QString &configFile)
+/// Prints what \a document makes of the configuration, and nothing else.
+int print(
+    const Options &options, const QString &configFile, const std::function<QByteArray(const ServerConfig &)> &document)
 {
     QString problem;
     const auto reading = loadConfig(configFile, &problem);
@@ -178,7 +195,7 @@ int printRegisterMap(const Options &options, const QString &configFile)
         return fail(problem, options);
     }
     followLanguage(options, reading->config);
-    const QByteArray text = registerDocument(reading->config).toUtf8();
+    const QByteArray text = document(reading->config);
     const bool isWritten = std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stdout)
             == static_cast<std::size_t>(text.size())
         && std::fflush(stdout) == 0;
@@ -200,7 +217,10 @@ int run(Options options)
         }
     }
     if (options.printsRegisterMap) {
-        return printRegisterMap(options, configFile);
+        return print(options, configFile, [](const ServerConfig &config) { return registerDocument(config).toUtf8(); });
+    }
+    if (options.printsOpcTags) {
+        return print(options, configFile, [](const ServerConfig &config) { return opcTagList(opcTags(config.lines)); });
     }
     QString problem;
     auto site = loadSite(options, configFile, &problem);

@@ -29,6 +29,7 @@ void addOptions(QCommandLineParser &parser)
     add(u"lang"_s, OptionsText::tr("Language of the program."), u"ru|en"_s);
     add(u"print-readings"_s, OptionsText::tr("Prints each new reading as one line of JSON."));
     add(u"print-register-map"_s, OptionsText::tr("Prints the Modbus registers of the configuration as Markdown."));
+    add(u"print-opc-tags"_s, OptionsText::tr("Prints the tags of OPC DA: name, type and description, parted by tabs."));
     add(u"help"_s, OptionsText::tr("Prints this."));
     add(u"version"_s, OptionsText::tr("Prints the version."));
 }
@@ -76,7 +77,8 @@ std::variant<Options, LastWords> parseOptions(const QStringList &arguments)
     }
     options.language = parser.value(QStringLiteral("lang"));
     options.printsRegisterMap = parser.isSet(QStringLiteral("print-register-map"));
-    options.isHeadless = options.printsRegisterMap || parser.isSet(QStringLiteral("headless"));
+    options.printsOpcTags = parser.isSet(QStringLiteral("print-opc-tags"));
+    options.isHeadless = options.printsRegisterMap || options.printsOpcTags || parser.isSet(QStringLiteral("headless"));
     options.isDemo = parser.isSet(QStringLiteral("demo"));
     options.printsReadings = parser.isSet(QStringLiteral("print-readings"));
     return options;

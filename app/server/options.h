@@ -18,6 +18,7 @@ struct Options
     bool isDemo = false;
     bool printsReadings = false;
     bool printsRegisterMap = false; ///< nothing but that; headless is set too
+    bool printsOpcTags = false; ///< nothing but that; headless is set too
 };
 
 /// What there is to say before the program ends: help, version, or a usage error.

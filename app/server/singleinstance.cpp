@@ -26,6 +26,15 @@ QString SingleInstance::serverName() const
     return QStringLiteral("gorizont-server-") + QString::fromLatin1(hash.left(16));
 }
 
+/// A lock that was made by another user could not be taken over after a crash, so each has one.
+bool SingleInstance::acquireOpc(int port)
+{
+    const QString name = QStringLiteral("gorizont-server-opc-%1-%2.lock").arg(QDir::home().dirName()).arg(port);
+    m_opcLock = std::make_unique<QLockFile>(QDir(QDir::tempPath()).filePath(name));
+    m_opcLock->setStaleLockTime(0);
+    return m_opcLock->tryLock() || m_opcLock->error() != QLockFile::LockFailedError;
+}
+
 bool SingleInstance::acquire()
 {
     m_lock = std::make_unique<QLockFile>(QDir(m_folder).filePath(QStringLiteral("gorizont-server.lock")));

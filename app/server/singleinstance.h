@@ -21,6 +21,10 @@ public:
     /// True: this is the first copy (or the folder cannot hold a lock, which the files will complain about).
     bool acquire();
 
+    /// With OPC DA one copy of the program works on a computer, whatever its folder (manual 000, 11.3). \a port: of the feed. False:
+    /// another copy of this user has it.
+    bool acquireOpc(int port);
+
     /// Asks the copy that holds the folder to show its window. False: it did not answer.
     bool raiseOther() const;
 
@@ -33,6 +37,7 @@ private:
 
     QString m_folder;
     std::unique_ptr<QLockFile> m_lock;
+    std::unique_ptr<QLockFile> m_opcLock;
     std::unique_ptr<QLocalServer> m_server;
 };
 

@@ -38,4 +38,12 @@ struct MetricsSettings
     bool operator==(const MetricsSettings &) const = default;
 };
 
+/// [OPC] of the ini: where gateways of OPC DA get the tags, on this computer only. CanOPCDA decides whether they do.
+struct OpcSettings
+{
+    int port = 43212; ///< Port
+
+    bool operator==(const OpcSettings &) const = default;
+};
+
 } // namespace gorizont

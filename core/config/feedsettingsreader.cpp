@@ -101,4 +101,12 @@ MetricsSettings readMetricsSettings(const IniFile &file, Findings &findings)
     return metrics;
 }
 
+OpcSettings readOpcSettings(const IniFile &file, Findings &findings)
+{
+    SectionReader section(file, u"OPC"_s, findings);
+    OpcSettings opc;
+    section.take(u"Port"_s, opc.port, {1, 65535});
+    return opc;
+}
+
 } // namespace gorizont

@@ -8,5 +8,6 @@ namespace gorizont {
 
 MqttSettings readMqttSettings(const IniFile &file, Findings &findings);
 MetricsSettings readMetricsSettings(const IniFile &file, Findings &findings);
+OpcSettings readOpcSettings(const IniFile &file, Findings &findings);
 
 } // namespace gorizont

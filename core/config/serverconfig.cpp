@@ -93,6 +93,38 @@ void settlePorts(SectionReader &common, ServerConfig &config)
     }
 }
 
+/// The gateways have to find their port, so nothing else may be served there.
+void settleOpcPort(const IniFile &file, Findings &findings, ServerConfig &config)
+{
+    if (!config.servesOpc) {
+        return;
+    }
+    struct Server
+    {
+        bool isServed;
+        int port;
+        QString name;
+    };
+    const QList<Server> servers{
+        {config.servesModbus, config.modbusPort, u"Modbus TCP"_s},
+        {config.servesAdc24, config.adc24Port, u"ADC24 TCP"_s},
+        {config.metrics.isOn(), config.metrics.port, u"[Metrics]"_s},
+    };
+    for (const Server &server : servers) {
+        if (server.isServed && server.port == config.opc.port) {
+            SectionReader(file, u"OPC"_s, findings)
+                .complain(
+                    u"Port"_s,
+                    QCoreApplication::translate("ServerConfig", "%1 is the port of %2 already.")
+                        .arg(QString::number(server.port), server.name),
+                    QCoreApplication::translate("ServerConfig", "OPC DA is not served until another port is given."));
+            SectionReader(file, u"Common"_s, findings).replace(u"CanOPCDA"_s);
+            config.servesOpc = false;
+            return;
+        }
+    }
+}
+
 bool hasAccelerometer(const QList<LineConfig> &lines, int number)
 {
     return std::any_of(lines.begin(), lines.end(), [number](const LineConfig &line) {
@@ -226,6 +258,8 @@ ConfigReading readServerConfig(const IniFile &file)
     config.archive = readArchiveSettings(file, findings);
     config.mqtt = readMqttSettings(file, findings);
     config.metrics = readMetricsSettings(file, findings);
+    config.opc = readOpcSettings(file, findings);
+    settleOpcPort(file, findings, config);
     config.timing = readTiming(file, findings);
     config.lines = readLines(file, findings);
     readUsmRevive(common, config.lines);

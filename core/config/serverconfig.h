@@ -71,6 +71,7 @@ struct ServerConfig
     ArchiveSettings archive;
     MqttSettings mqtt;
     MetricsSettings metrics;
+    OpcSettings opc;
     Timing timing;
     QList<ChainConfig> chains; ///< in ascending index; what cannot be used is left out
     QList<LineConfig> lines; ///< in the order of the sections; what is off is listed too

@@ -47,6 +47,23 @@ private Q_SLOTS:
         QVERIFY(second.acquire());
     }
 
+    /// Manual 000, 11.3: whatever the folders, one copy serves OPC DA.
+    void opcAllowsOneCopy()
+    {
+        const QTemporaryDir here;
+        const QTemporaryDir there;
+        constexpr int port = 61234;
+        {
+            SingleInstance first(here.path());
+            SingleInstance second(there.path());
+            QVERIFY(first.acquireOpc(port));
+            QVERIFY(!second.acquireOpc(port));
+            QVERIFY(second.acquireOpc(port + 1));
+        }
+        SingleInstance next(there.path());
+        QVERIFY(next.acquireOpc(port));
+    }
+
     void theFolderIsFreeAfterTheEnd()
     {
         const QTemporaryDir folder;

@@ -1,6 +1,7 @@
 #include "ui/complaintsdialog.h"
 #include "ui/firstrundialog.h"
 #include "ui/models/icons.h"
+#include "ui/opctagsdialog.h"
 #include "ui/registermapdialog.h"
 
 #include "tests/ui/samplesite.h"
@@ -9,8 +10,11 @@
 #include <QClipboard>
 #include <QFileDialog>
 #include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QTextTable>
@@ -93,6 +97,43 @@ private Q_SLOTS:
         QVERIFY(!dialog.findChild<QWidget *>(QStringLiteral("registerMapProblem")));
         chooses(folder.filePath(QStringLiteral("nowhere/map.md")));
         QVERIFY(dialog.findChild<QWidget *>(QStringLiteral("registerMapProblem")));
+    }
+
+    void opcTagsCanBeFoundCopiedAndSaved()
+    {
+        const QTemporaryDir folder;
+        const QString list = QStringLiteral("[COM5].Sensor_001[AND3][Addr:002].STATE.Restart\tbool\tперезагрузка\n"
+                                            "[COM5].Sensor_001[AND3][Addr:002].DATA.Angl_X\tdouble\tугол X\n");
+        OpcTagsDialog dialog(list, QStringLiteral("Done: <b>1</b>"));
+        dialog.show();
+        QCOMPARE(
+            dialog.findChild<QLabel *>(QStringLiteral("opcTagsMessage"))->text(), QStringLiteral("Done: <b>1</b>"));
+        const QAbstractItemModel *model = dialog.findChild<QTableView *>(QStringLiteral("opcTagsTable"))->model();
+        QCOMPARE(model->rowCount(), 2);
+        QCOMPARE(
+            model->index(0, 0).data().toString(), QStringLiteral("[COM5].Sensor_001[AND3][Addr:002].STATE.Restart"));
+        QCOMPARE(model->index(0, 1).data().toString(), QStringLiteral("bool"));
+        dialog.findChild<QLineEdit *>(QStringLiteral("opcTagsSearch"))->setText(QStringLiteral("УГОЛ"));
+        QCOMPARE(model->rowCount(), 1);
+        QCOMPARE(model->index(0, 2).data().toString(), QStringLiteral("угол X"));
+        dialog.findChild<QAbstractButton *>(QStringLiteral("opcTagsCopy"))->click();
+        QCOMPARE(QGuiApplication::clipboard()->text(), list);
+        const auto chooses = [&dialog](const QString &path) {
+            dialog.findChild<QAbstractButton *>(QStringLiteral("opcTagsSave"))->click();
+            auto *files = dialog.findChild<QFileDialog *>();
+            QVERIFY(files && files->isVisible());
+            Q_EMIT files->fileSelected(path);
+            files->close();
+            QTRY_VERIFY(!dialog.findChild<QFileDialog *>());
+        };
+        chooses(folder.filePath(QStringLiteral("tags.txt")));
+        QFile file(folder.filePath(QStringLiteral("tags.txt")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), list.toUtf8());
+        chooses(folder.filePath(QStringLiteral("nowhere/tags.txt")));
+        QVERIFY(dialog.findChild<QWidget *>(QStringLiteral("opcTagsProblem")));
+        OpcTagsDialog silent(list, {});
+        QVERIFY(!silent.findChild<QLabel *>(QStringLiteral("opcTagsMessage")));
     }
 
     void firstRun_data()

@@ -210,6 +210,16 @@ private Q_SLOTS:
         QCOMPARE(asked.size(), 1);
     }
 
+    void opcTagsAreAskedForWhereTheyAreServed()
+    {
+        QVERIFY(!m_window->findChild<QAction *>(QStringLiteral("opcTagsAction")));
+        m_config.servesOpc = true;
+        open({});
+        const QSignalSpy asked(m_window.get(), &MainWindow::opcTagsRequested);
+        trigger("opcTagsAction");
+        QCOMPARE(asked.size(), 1);
+    }
+
     void complaintsAreShownOnce()
     {
         open({Complaint{

@@ -250,6 +250,17 @@ private Q_SLOTS:
         QVERIFY(!settings.contains(QStringLiteral("secret")));
     }
 
+    void gatewaysOfOpc()
+    {
+        ServerConfig config = test::sampleConfig();
+        QVERIFY(!text(serverSettings(config)).contains(QStringLiteral("[OPC]")));
+        config.servesOpc = true;
+        config.opc.port = 50001;
+        const QString settings = text(serverSettings(config, 2));
+        QVERIFY(settings.contains(QStringLiteral("Интерфейс OPC DA | да\n")));
+        QVERIFY(settings.endsWith(QStringLiteral("\n[OPC]\nПорт для шлюзов OPC DA | 50001\nПодключено шлюзов | 2")));
+    }
+
     /// The row shows the inverse of CanClose (spec/gorizont.md, section 1).
     void warningIsTheInverseOfCanClose()
     {

@@ -127,15 +127,30 @@ void addMetrics(const ServerConfig &config, Properties &list)
     }
 }
 
+void addOpc(const ServerConfig &config, int gateways, Properties &list)
+{
+    if (!config.servesOpc) {
+        return;
+    }
+    SettingsSection section(config, list, QStringLiteral("[OPC]"), QStringLiteral("OPC"));
+    section.add(
+        "Port", Settings::tr("Port for OPC DA gateways"), QString::number(config.opc.port),
+        Settings::tr("number of the IP port where gateways on this computer get the tags"));
+    section.add(
+        QString(), Settings::tr("Gateways connected"), QString::number(gateways),
+        Settings::tr("each serves any number of OPC clients"));
+}
+
 } // namespace
 
-Properties networkSettings(const ServerConfig &config)
+Properties networkSettings(const ServerConfig &config, int gateways)
 {
     Properties list;
     addModbus(config, list);
     addAdc24(config, list);
     addMqtt(config, list);
     addMetrics(config, list);
+    addOpc(config, gateways, list);
     return list;
 }
 

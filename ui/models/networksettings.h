@@ -5,7 +5,7 @@
 
 namespace gorizont {
 
-/// The last entries of the server: what is served to whom, and what is sent where.
-Properties networkSettings(const ServerConfig &config);
+/// The last entries of the server: what is served to whom, and what is sent where. \a gateways: of OPC DA, connected now.
+Properties networkSettings(const ServerConfig &config, int gateways);
 
 } // namespace gorizont

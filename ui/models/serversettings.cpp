@@ -141,7 +141,7 @@ void addProgram(const ServerConfig &config, Properties &list)
 
 } // namespace
 
-Properties serverSettings(const ServerConfig &config)
+Properties serverSettings(const ServerConfig &config, int gateways)
 {
     Properties list;
     addServer(config, list);
@@ -152,7 +152,7 @@ Properties serverSettings(const ServerConfig &config)
     addErrors(config, list);
     addMore(config, list);
     addProgram(config, list);
-    return list + storageSettings(config) + networkSettings(config);
+    return list + storageSettings(config) + networkSettings(config, gateways);
 }
 
 } // namespace gorizont
