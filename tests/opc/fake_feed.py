@@ -72,6 +72,7 @@ class FakeFeed:
 
     def stop(self):
         """As a program that was killed: nothing is said."""
+        self.listener.shutdown(socket.SHUT_RDWR)  # wakes who waits in accept; the port would stay taken
         self.listener.close()
         with self.lock:
             for client in self.clients:

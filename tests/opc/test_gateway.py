@@ -94,6 +94,8 @@ class GatewayTest(unittest.TestCase):
         self.assertNotEqual(self.prefix.registry(), self.before)
         again = self.prefix.run(GATEWAY, "/RegServer", "/Port=43212")
         self.assertEqual(again, 0)
+        # What the second registration did not name is still that of the first.
+        self.assertIn(self.feed.hash, self.prefix.registry())
         self.assertEqual(self.prefix.run(GATEWAY, "/UnregServer"), 0)
         self.assertEqual(self.prefix.registry(), self.before)
         self.assertEqual(self.prefix.run(GATEWAY, "/RegServer", "/PerUser"), 0)

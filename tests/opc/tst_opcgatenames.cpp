@@ -22,6 +22,11 @@ QStringList shown(const std::vector<Text> &texts)
     return list;
 }
 
+QStringList listed(const char *parts)
+{
+    return QString::fromUtf8(parts).split(u'|');
+}
+
 Text read(const QString &text)
 {
     return text.toStdU16String();
@@ -61,12 +66,12 @@ void TestOpcGateNames::splitsAtDotsOutsideBrackets_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<QStringList>("parts");
     QTest::newRow("figure 11.4") << "[COM5].Sensor_001[AND3][Addr:002].STATE.Restart"
-                                 << QStringList{"[COM5]", "Sensor_001[AND3][Addr:002]", "STATE", "Restart"};
+                                 << listed("[COM5]|Sensor_001[AND3][Addr:002]|STATE|Restart");
     QTest::newRow("network port") << "[tcp://10.0.0.7:502].Sensor_003.DATA"
-                                  << QStringList{"[tcp://10.0.0.7:502]", "Sensor_003", "DATA"};
-    QTest::newRow("one part") << "OPCGate" << QStringList{"OPCGate"};
-    QTest::newRow("empty part") << "a..b" << QStringList{"a", "", "b"};
-    QTest::newRow("bracket that closes nothing") << "a].b" << QStringList{"a]", "b"};
+                                  << listed("[tcp://10.0.0.7:502]|Sensor_003|DATA");
+    QTest::newRow("one part") << "OPCGate" << listed("OPCGate");
+    QTest::newRow("empty part") << "a..b" << listed("a||b");
+    QTest::newRow("bracket that closes nothing") << "a].b" << listed("a]|b");
 }
 
 void TestOpcGateNames::splitsAtDotsOutsideBrackets()
@@ -163,9 +168,9 @@ void TestOpcGateNames::changesEncodings_data()
     QTest::newRow("russian") << QByteArray("\xD0\x9C\xD0\x9A") << "МК" << true;
     QTest::newRow("sign") << QByteArray("\xE2\x80\xB3") << "″" << true;
     QTest::newRow("beyond 16 bits") << QByteArray("\xF0\x9F\x98\x80") << QString::fromUcs4(U"\x1F600", 1) << true;
-    QTest::newRow("cut short") << QByteArray("a\xD0") << QString(u"a\uFFFD") << false;
-    QTest::newRow("no start") << QByteArray("\x9C") << QString(u"\uFFFD") << false;
-    QTest::newRow("too long") << QByteArray("\xE0\x80\xAF") << QString(u"\uFFFD") << false;
+    QTest::newRow("cut short") << QByteArray("a\xD0") << QStringLiteral("a\uFFFD") << false;
+    QTest::newRow("no start") << QByteArray("\x9C") << QStringLiteral("\uFFFD") << false;
+    QTest::newRow("too long") << QByteArray("\xE0\x80\xAF") << QStringLiteral("\uFFFD") << false;
 }
 
 void TestOpcGateNames::changesEncodings()
@@ -186,8 +191,8 @@ void TestOpcGateNames::growsATree()
     space.replace(
         {tag(u"[COM5].S.DATA.X"), tag(u"[COM5].S.STATE.R", TagType::Bool), tag(u"[1.2].S.X"), tag(u"[COM5].S.DATA.Y")},
         1);
-    QCOMPARE(shown(space.branch({})->branches), (QStringList{"Own", "[COM5]", "[1.2]"}));
-    QCOMPARE(shown(space.branch(u"[COM5].S")->branches), (QStringList{"DATA", "STATE"}));
+    QCOMPARE(shown(space.branch({})->branches), listed("Own|[COM5]|[1.2]"));
+    QCOMPARE(shown(space.branch(u"[COM5].S")->branches), listed("DATA|STATE"));
     QCOMPARE(space.branch(u"[COM5].S.DATA")->leaves, (std::vector<std::pair<Text, int>>{{u"X", 1}, {u"Y", 4}}));
     QCOMPARE(space.branch(u"[COM6]"), nullptr);
     QCOMPARE(shown(space.above(u"[1.2].S")), QStringLiteral("[1.2]"));
@@ -229,22 +234,23 @@ void TestOpcGateNames::readsCommandLines_data()
     QTest::addColumn<int>("action");
     QTest::addColumn<int>("port");
     QTest::addColumn<bool>("isPerUser");
-    const auto row = [](const char *name, const QStringList &words, CommandLine::Action action, int port = 0,
+    const auto row = [](const char *name, const char *words, CommandLine::Action action, int port = 0,
                         bool isPerUser = false) {
-        QTest::newRow(name) << words << static_cast<int>(action) << port << isPerUser;
+        QTest::newRow(name) << (*words ? listed(words) : QStringList()) << static_cast<int>(action) << port
+                            << isPerUser;
     };
     using Action = CommandLine::Action;
-    row("by COM", {"-Embedding"}, Action::Serve);
-    row("by hand", {}, Action::Serve);
-    row("register", {"/RegServer", "/Port=5000", "/Hash=ab", "/Tags=C:\\a b.json"}, Action::Register, 5000);
-    row("for one user", {"-regserver", "-peruser"}, Action::Register, 0, true);
-    row("unregister", {"/UnregServer"}, Action::Unregister);
-    row("port is none", {"/RegServer", "/Port=0"}, Action::Wrong);
-    row("port is too large", {"/RegServer", "/Port=65536"}, Action::Wrong);
-    row("port is a word", {"/RegServer", "/Port=com"}, Action::Wrong);
-    row("unknown word", {"/RegServer", "/Quick"}, Action::Wrong);
-    row("no option", {"RegServer"}, Action::Wrong);
-    row("a lone slash", {"/"}, Action::Wrong);
+    row("by COM", "-Embedding", Action::Serve);
+    row("by hand", "", Action::Serve);
+    row("register", "/RegServer|/Port=5000|/Hash=ab|/Tags=C:\\a b.json", Action::Register, 5000);
+    row("for one user", "-regserver|-peruser", Action::Register, 0, true);
+    row("unregister", "/UnregServer", Action::Unregister);
+    row("port is none", "/RegServer|/Port=0", Action::Wrong);
+    row("port is too large", "/RegServer|/Port=65536", Action::Wrong);
+    row("port is a word", "/RegServer|/Port=com", Action::Wrong);
+    row("unknown word", "/RegServer|/Quick", Action::Wrong);
+    row("no option", "RegServer", Action::Wrong);
+    row("a lone slash", "/", Action::Wrong);
 }
 
 void TestOpcGateNames::readsCommandLines()
@@ -258,8 +264,10 @@ void TestOpcGateNames::readsCommandLines()
     QTEST(int(line.port.value_or(0)), "port");
     QTEST(line.isPerUser, "isPerUser");
     if (words.contains(QStringLiteral("/Hash=ab"))) {
-        QCOMPARE(shown(line.hash), QStringLiteral("ab"));
-        QCOMPARE(shown(line.tagsFile), QStringLiteral("C:\\a b.json"));
+        QCOMPARE(shown(line.hash.value()), QStringLiteral("ab"));
+        QCOMPARE(shown(line.tagsFile.value()), QStringLiteral("C:\\a b.json"));
+    } else {
+        QVERIFY(!line.hash && !line.tagsFile);
     }
 }
 

@@ -69,15 +69,6 @@ int runGateway()
     ExitProcess(static_cast<UINT>(registered));
 }
 
-Settings wanted(const CommandLine &line)
-{
-    Settings settings;
-    settings.port = line.port.value_or(settings.port);
-    settings.hash = toUtf8(line.hash);
-    settings.tagsFile = wide(line.tagsFile);
-    return settings;
-}
-
 } // namespace
 
 int WINAPI wWinMain(HINSTANCE, HINSTANCE, LPWSTR, int)
@@ -92,7 +83,7 @@ int WINAPI wWinMain(HINSTANCE, HINSTANCE, LPWSTR, int)
     const Scope scope = line.isPerUser ? Scope::User : Scope::Machine;
     switch (line.action) {
     case CommandLine::Action::Serve: return runGateway();
-    case CommandLine::Action::Register: return static_cast<int>(registerServer(scope, wanted(line)));
+    case CommandLine::Action::Register: return static_cast<int>(registerServer(scope, line));
     case CommandLine::Action::Unregister: return static_cast<int>(unregisterServer(scope));
     case CommandLine::Action::Wrong: break;
     }

@@ -2,6 +2,7 @@
 
 #include "app/opc-da/com/identity.h"
 #include "app/opc-da/com/registrykeys.h"
+#include "app/opc-da/com/settings.h"
 #include "app/opc-da/com/windowstext.h"
 
 #include <filesystem>
@@ -114,6 +115,16 @@ void writeProxy(RegistryKeys &keys, const std::wstring &proxy)
     keys.set(ProxyKey + L"\\InProcServer32", L"ThreadingModel", L"Both");
 }
 
+void writeSettings(RegistryKeys &keys, const CommandLine &line)
+{
+    if (line.port)
+        keys.set(SettingsKey, L"Port", std::to_wstring(*line.port));
+    if (line.hash)
+        keys.set(SettingsKey, L"Hash", wide(*line.hash));
+    if (line.tagsFile)
+        keys.set(SettingsKey, L"Tags", wide(*line.tagsFile));
+}
+
 /// True for a key of an interface that has another proxy than ours by now.
 bool isOfOthers(const RegistryKeys &keys, const std::wstring &key)
 {
@@ -127,16 +138,14 @@ bool isOfOthers(const RegistryKeys &keys, const std::wstring &key)
 
 } // namespace
 
-LONG registerServer(Scope scope, const Settings &settings)
+LONG registerServer(Scope scope, const CommandLine &line)
 {
     for (const View &view : Views) {
         RegistryKeys keys(rootOf(scope), view.flag);
         std::vector<std::wstring> noted = keys.list(SettingsKey, L"Created");
         writeClass(keys);
         writeProxy(keys, besideProgram(view.proxy));
-        keys.set(SettingsKey, L"Port", std::to_wstring(settings.port));
-        keys.set(SettingsKey, L"Hash", wide(fromUtf8(settings.hash)));
-        keys.set(SettingsKey, L"Tags", settings.tagsFile);
+        writeSettings(keys, line);
         noted.insert(noted.end(), keys.created().begin(), keys.created().end());
         keys.setList(SettingsKey, L"Created", noted);
         if (keys.error() != ERROR_SUCCESS)

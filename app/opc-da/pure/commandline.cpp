@@ -34,9 +34,9 @@ bool take(CommandLine &line, TextView word)
     else if (matches(u"PerUser", word))
         line.isPerUser = true;
     else if (const auto hash = valueOf(word, u"Hash"))
-        line.hash = *hash;
+        line.hash = hash;
     else if (const auto tags = valueOf(word, u"Tags"))
-        line.tagsFile = *tags;
+        line.tagsFile = tags;
     else if (const auto port = valueOf(word, u"Port"))
         return (line.port = portFrom(*port)).has_value();
     else

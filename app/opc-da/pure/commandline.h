@@ -14,8 +14,8 @@ struct CommandLine
     Action action = Action::Serve; ///< COM starts the program with -Embedding, which is to serve
     bool isPerUser = false; ///< /PerUser: for this user, without rights of an administrator
     std::optional<std::uint16_t> port;
-    Text hash;
-    Text tagsFile;
+    std::optional<Text> hash;
+    std::optional<Text> tagsFile;
 };
 
 CommandLine parseCommandLine(const std::vector<Text> &words);

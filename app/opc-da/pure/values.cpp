@@ -27,7 +27,7 @@ std::uint32_t revisedRate(std::uint32_t asked)
     constexpr std::uint32_t Most = std::numeric_limits<std::uint32_t>::max() / RateStep * RateStep;
     if (asked >= Most)
         return Most;
-    return std::max(RateStep, (asked + RateStep - 1) / RateStep * RateStep);
+    return std::max(RateStep, asked / RateStep * RateStep + (asked % RateStep > 0 ? RateStep : 0));
 }
 
 std::uint32_t revisedKeepAlive(std::uint32_t asked)
