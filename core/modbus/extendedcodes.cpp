@@ -36,7 +36,7 @@ std::span<const SlotBit> extendedFlags()
          [](const SlotState &s) { return s.reading.rawMode.has_value(); }},
         {9, QT_TRANSLATE_NOOP("RegisterMap", "packets of samples are counted"),
          [](const SlotState &s) { return s.reading.ring.has_value(); }},
-        {10, QT_TRANSLATE_NOOP("RegisterMap", "channels_at says where its channels are"),
+        {11, QT_TRANSLATE_NOOP("RegisterMap", "channels_at says where its channels are"),
          [](const SlotState &s) { return s.areaAt != 0; }},
     }};
     return bits;
@@ -52,7 +52,7 @@ std::span<const SlotBit> extendedQuantities()
          [](const SlotState &s) { return s.slot.sensor.measuresAcceleration; }},
         {3, QT_TRANSLATE_NOOP("RegisterMap", "thermostat"),
          [](const SlotState &s) { return s.slot.sensor.hasThermostat; }},
-        {4, QT_TRANSLATE_NOOP("RegisterMap", "vibration"),
+        {5, QT_TRANSLATE_NOOP("RegisterMap", "vibration"),
          [](const SlotState &s) { return s.slot.sensor.type == SensorType::LVims; }},
     }};
     return bits;
