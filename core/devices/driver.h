@@ -78,20 +78,20 @@ public:
     std::optional<DeviceInformation> takeInformation() { return std::exchange(m_information, std::nullopt); }
 
     /// What was captured whole since the last call, in the order it came.
-    QList<CapturedSignal> takeCaptures() { return std::exchange(m_captures, {}); }
+    QList<VibrationCapture> takeCaptures() { return std::exchange(m_captures, {}); }
 
     const DriverSettings &settings() const { return m_settings; }
 
 protected:
     void note(JournalKind kind, const QString &text) { m_notes.append({kind, text}); }
     void report(const DeviceInformation &information) { m_information = information; }
-    void deliver(const CapturedSignal &captured) { m_captures.append(captured); }
+    void deliver(const VibrationCapture &captured) { m_captures.append(captured); }
 
 private:
     DriverSettings m_settings;
     QList<DriverNote> m_notes;
     std::optional<DeviceInformation> m_information;
-    QList<CapturedSignal> m_captures;
+    QList<VibrationCapture> m_captures;
 };
 
 } // namespace gorizont

@@ -75,7 +75,7 @@ private Q_SLOTS:
         LinePoller poller(site);
         poller.restart();
         TurnReport report;
-        QList<CapturedSignal> captures;
+        QList<VibrationCapture> captures;
         int answers = 0;
         const SteadyTime start = SteadyTime::clock::now();
         while (captures.size() < 2) {

@@ -13,9 +13,9 @@ using Qt::Literals::StringLiterals::operator""_s;
 
 namespace {
 
-CapturedSignal captured(int number, int channel, CaptureKind kind = CaptureKind::Waveform)
+VibrationCapture captured(int number, int channel, CaptureKind kind = CaptureKind::Waveform)
 {
-    CapturedSignal signal;
+    VibrationCapture signal;
     signal.number = number;
     signal.kind = kind;
     signal.time = moscow("2018-02-07T18:33:03");

@@ -93,8 +93,8 @@ private Q_SLOTS:
         QCOMPARE(read(images, 3300 + 94, 6), spaced("FDE8 0004 0064 FF78 0000 0000")); // 65000, 4, 100, 65400
         QCOMPARE(read(images, 3500, 2), spaced("0000 0007"));
         QCOMPARE(read(images, 3500 + 94, 6), spaced("FBF4 0004 0064 FD84 0000 0000")); // 64500, 4, 100, 64900
-        QCOMPARE(read(images, 3300 + 4, 2), spaced("0004 0407")); // L-VIMS; a sensor, on, its port on, channels_at
-        QCOMPARE(read(images, 3300 + 7, 1), spaced("0010"));
+        QCOMPARE(read(images, 3300 + 4, 2), spaced("0004 0807")); // L-VIMS; a sensor, on, its port on, channels_at
+        QCOMPARE(read(images, 3300 + 7, 1), spaced("0020"));
         QCOMPARE(read(images, 3400 + 94, 6), zeros(6)); // N=6 has no channels
         QVERIFY(!images.inputRegisters(1)->registers(65499, 2));
     }
