@@ -18,7 +18,7 @@ using namespace lvims;
 VimsDialog::VimsDialog(const ServicePort &port, QWidget *parent)
     : ServiceDialog(SensorType::LVims, port, parent)
     , m_form(new VimsForm(addresses(), this))
-    , m_service(lvims::Address(), port.timing)
+    , m_service(std::make_shared<Service>(lvims::Address(), port.timing))
 {
     setObjectName(QStringLiteral("vimsDialog"));
     scan()->hide();
@@ -65,8 +65,8 @@ void VimsDialog::findSensors()
 
 ScanPanel::Probe VimsDialog::probe() const
 {
-    return [service = m_service](Line &line, int) mutable -> Result<void> {
-        const auto identity = service.identity(line);
+    return [service = m_service](Line &line, int) -> Result<void> {
+        const auto identity = service->identity(line);
         return identity ? Result<void>() : identity.fault();
     };
 }
@@ -110,7 +110,7 @@ void VimsDialog::showSensor()
         updateControls();
         return;
     }
-    m_service = Service::of(module(), port().timing);
+    m_service = std::make_shared<Service>(Service::of(module(), port().timing));
     read(std::exchange(m_before, {}));
 }
 
@@ -124,7 +124,7 @@ void VimsDialog::read(const QString &before)
     forget();
     m_before = before;
     say(before.isEmpty() ? tr("Reading the module…") : before);
-    run([service = m_service](Line &line) mutable { return service.identity(line); },
+    run([service = m_service](Line &line) { return service->identity(line); },
         [this, asked = m_run](const Result<Identity> &identity) {
             if (asked != m_run) {
                 return;
@@ -145,7 +145,7 @@ void VimsDialog::readMore(int asked, const Register &set, const Image &values)
 {
     run(
         [service = m_service, set, more = Image(values)](Line &line) mutable -> Result<Image> {
-            const auto read = service.readMore(line, set, more);
+            const auto read = service->readMore(line, set, more);
             return read ? Result<Image>(more) : read.fault();
         },
         [this, asked, set](const Result<Image> &read) { takeSettings(asked, set, read); });

@@ -61,7 +61,8 @@ private:
     void saveFile();
 
     VimsForm *m_form;
-    lvims::Service m_service; ///< of the module that is shown
+    /// Of the module that is shown; used in the thread of the line only, where each exchange gets a number of its own.
+    std::shared_ptr<lvims::Service> m_service;
     std::optional<lvims::Identity> m_identity; ///< likewise; empty: it was not read
     Image m_inUse; ///< CUR; empty: not read
     Image m_prepared; ///< MUT; empty: not read

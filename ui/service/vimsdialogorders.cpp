@@ -51,14 +51,14 @@ void VimsDialog::writeNext(const QList<SettingPiece> &left, qsizetype total)
 {
     m_form->showProgress(total - left.size(), total);
     const auto check = [this](const Result<void> &written) {
-        run([service = m_service](Line &line) mutable { return service.readErrors(line); },
+        run([service = m_service](Line &line) { return service->readErrors(line); },
             [this, written](const Result<SettingErrors> &errors) { endWriting(errors, written); });
     };
     if (left.isEmpty()) {
         check({});
         return;
     }
-    run([service = m_service, piece = left.constFirst()](Line &line) mutable { return service.write(line, piece); },
+    run([service = m_service, piece = left.constFirst()](Line &line) { return service->write(line, piece); },
         [this, left, total, check](const Result<void> &written) {
             if (written) {
                 writeNext(left.mid(1), total);
@@ -157,7 +157,7 @@ void VimsDialog::give(const Order &order)
     }
     beginWork(order.what);
     say(tr("Writing: %1…").arg(order.what));
-    run([service = m_service, give = order.give](Line &line) mutable { return give(service, line); },
+    run([service = m_service, give = order.give](Line &line) { return give(*service, line); },
         [this, order](const Result<void> &given) { checkOrder(order, given); });
 }
 
@@ -172,7 +172,7 @@ void VimsDialog::checkOrder(const Order &order, const Result<void> &given)
         endWork();
         return;
     }
-    run([service = m_service](Line &line) mutable { return service.readErrors(line); },
+    run([service = m_service](Line &line) { return service->readErrors(line); },
         [this, order, given](const Result<SettingErrors> &errors) {
             const bool isGood = given && errors && *errors == SettingErrors(0, 0);
             QString text = order.what;
@@ -206,7 +206,7 @@ void VimsDialog::restart()
     const QString what = tr("restart");
     beginWork(what);
     say(tr("Writing: %1…").arg(what));
-    run([service = m_service](Line &line) mutable { return service.restart(line); },
+    run([service = m_service](Line &line) { return service->restart(line); },
         [this, what](const Result<void> &done) {
             const QString text =
                 done ? tr("the module restarts") : tr("%1, not done: %2").arg(what, servicetext::fault(done.fault()));

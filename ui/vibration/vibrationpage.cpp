@@ -95,9 +95,10 @@ void VibrationPage::choose()
 void VibrationPage::capture()
 {
     const SensorConfig *sensor = module();
-    LineWorker *worker = sensor ? m_worker(sensor->port) : nullptr;
+    LineWorker *worker = sensor && m_worker ? m_worker(sensor->port) : nullptr;
     m_next.stop();
     m_failures.clear();
+    m_captured.clear();
     m_begun = std::chrono::steady_clock::now();
     if (!worker || !objection().isEmpty()) {
         endRound(); // a round that is repeated may find the module back
@@ -121,6 +122,12 @@ void VibrationPage::stop(const QString &why)
 void VibrationPage::take(const CapturedSignal &signal)
 {
     m_plots->show(signal);
+    if (signal.kind == Kind::Waveform) {
+        m_captured = tr("Captured at %1: %2 samples, %3 a second.")
+                         .arg(
+                             QTime::currentTime().toString(QStringLiteral("HH:mm:ss")),
+                             QString::number(signal.codes.size()), capturetext::number(signal.information.rate));
+    }
     if (signal.information.state) {
         if (const QString problem = capturetext::channel(*signal.information.state); !problem.isEmpty()) {
             m_failures.append(problem);
@@ -137,15 +144,11 @@ void VibrationPage::takeFailure(const CaptureFailure &failure)
 void VibrationPage::endRound()
 {
     m_progress->reset();
-    const CapturedSignal *wave = m_plots->signal(Kind::Waveform);
-    const QString captured = wave
-        ? tr("Captured at %1: %2 samples, %3 a second.")
-              .arg(
-                  QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), QString::number(wave->codes.size()),
-                  capturetext::number(wave->information.rate))
-        : QString();
-    m_failures.removeDuplicates();
-    say(m_failures.isEmpty() ? captured : m_failures.join(u'\n'));
+    QStringList texts = m_failures;
+    texts.prepend(m_captured);
+    texts.removeAll(QString());
+    texts.removeDuplicates();
+    say(texts.join(u'\n'));
     if (m_repeats->isChecked() && isVisible()) {
         const auto due = m_begun + std::chrono::seconds(m_period->value()) - std::chrono::steady_clock::now();
         m_next.start(std::max(std::chrono::ceil<std::chrono::milliseconds>(due), std::chrono::milliseconds(0)));

@@ -86,6 +86,7 @@ private:
     QTimer m_next; ///< the next round
     SteadyTime m_begun{}; ///< the last round
     QStringList m_failures; ///< of the round
+    QString m_captured; ///< what it brought; empty: no waveform
     QString m_said;
 };
 
