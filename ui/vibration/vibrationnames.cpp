@@ -1,22 +1,18 @@
 #include "ui/vibration/vibrationnames.h"
 
-#include "core/devices/lvims/lvimsprotocol.h"
-
-#include <QCoreApplication>
+#include "core/values/vibrationkinds.h"
 
 namespace gorizont::vibrationnames {
 
 QString measurement(int type)
 {
-    const lvims::MeasurementKind *kind = lvims::kindOf(type);
-    return kind ? QStringLiteral("%1 %2").arg(QString::number(type), QCoreApplication::translate("LVims", kind->name))
-                : QString::number(type);
+    return QStringLiteral("%1 %2").arg(QString::number(type), measurementName(type)).trimmed();
 }
 
-QString accelerationUnit(const SensorConfig &)
+QString accelerationUnit(const SensorConfig &sensor)
 {
     constexpr int acceleration = 1;
-    return QCoreApplication::translate("LVims", lvims::kindOf(acceleration)->unit);
+    return MeasurementUnits(sensor).of(acceleration);
 }
 
 } // namespace gorizont::vibrationnames
