@@ -1,22 +1,19 @@
 #include "ui/vibration/vibrationnames.h"
 
-#include "core/devices/lvims/lvimsprotocol.h"
-
-#include <QCoreApplication>
+#include "core/values/vibrationkinds.h"
 
 namespace gorizont::vibrationnames {
 
 QString measurement(int type)
 {
-    const lvims::MeasurementKind *kind = lvims::kindOf(type);
-    return kind ? QStringLiteral("%1 %2").arg(QString::number(type), QCoreApplication::translate("LVims", kind->name))
-                : QString::number(type);
+    const QString name = measurementName(type);
+    return name.isEmpty() ? QString::number(type) : QStringLiteral("%1 %2").arg(QString::number(type), name);
 }
 
-QString accelerationUnit(const SensorConfig &)
+QString accelerationUnit(const SensorConfig &sensor)
 {
-    constexpr int acceleration = 1;
-    return QCoreApplication::translate("LVims", lvims::kindOf(acceleration)->unit);
+    constexpr int acceleration = 1; // MEAS_TYPE
+    return MeasurementUnits(sensor).of(acceleration);
 }
 
 } // namespace gorizont::vibrationnames
