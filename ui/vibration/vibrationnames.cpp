@@ -6,12 +6,13 @@ namespace gorizont::vibrationnames {
 
 QString measurement(int type)
 {
-    return QStringLiteral("%1 %2").arg(QString::number(type), measurementName(type)).trimmed();
+    const QString name = measurementName(type);
+    return name.isEmpty() ? QString::number(type) : QStringLiteral("%1 %2").arg(QString::number(type), name);
 }
 
 QString accelerationUnit(const SensorConfig &sensor)
 {
-    constexpr int acceleration = 1;
+    constexpr int acceleration = 1; // MEAS_TYPE
     return MeasurementUnits(sensor).of(acceleration);
 }
 
