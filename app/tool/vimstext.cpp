@@ -6,10 +6,6 @@
 #include "core/values/vibrationkinds.h"
 #include "core/values/vibrationtext.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace gorizont::tool {

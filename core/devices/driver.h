@@ -78,20 +78,20 @@ public:
     std::optional<DeviceInformation> takeInformation() { return std::exchange(m_information, std::nullopt); }
 
     /// What was captured whole since the last call, in the order it came.
-    QList<VibrationCapture> takeCaptures() { return std::exchange(m_captures, {}); }
+    QList<SignalCapture> takeCaptures() { return std::exchange(m_captures, {}); }
 
     const DriverSettings &settings() const { return m_settings; }
 
 protected:
     void note(JournalKind kind, const QString &text) { m_notes.append({kind, text}); }
     void report(const DeviceInformation &information) { m_information = information; }
-    void deliver(const VibrationCapture &captured) { m_captures.append(captured); }
+    void deliver(const SignalCapture &captured) { m_captures.append(captured); }
 
 private:
     DriverSettings m_settings;
     QList<DriverNote> m_notes;
     std::optional<DeviceInformation> m_information;
-    QList<VibrationCapture> m_captures;
+    QList<SignalCapture> m_captures;
 };
 
 } // namespace gorizont

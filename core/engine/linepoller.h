@@ -32,7 +32,7 @@ struct TurnReport
 
     Readings readings;
     QList<SampleBlock> blocks;
-    QList<VibrationCapture> captures;
+    QList<SignalCapture> captures;
     QList<Event> events;
     std::optional<DeviceInformation> information; ///< one of the sensors said something new of itself
     std::optional<Fault> lineFault; ///< Closed or Cancelled: what ended the turn is no fault of a sensor

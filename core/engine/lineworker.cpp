@@ -205,7 +205,7 @@ void LineWorker::turn()
     for (const SampleBlock &block : report.blocks) {
         Q_EMIT blockReady(block);
     }
-    for (const VibrationCapture &captured : report.captures) {
+    for (const SignalCapture &captured : report.captures) {
         Q_EMIT captureReady(captured);
     }
     if (report.information) {

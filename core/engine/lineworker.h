@@ -63,7 +63,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     void readingsReady(const QList<gorizont::Reading> &readings);
     void blockReady(const gorizont::SampleBlock &block);
-    void captureReady(const gorizont::VibrationCapture &captured);
+    void captureReady(const gorizont::SignalCapture &captured);
     void informationReady(const gorizont::DeviceInformation &information);
     void lineChanged(const gorizont::LineStatus &status);
     void journal(const gorizont::JournalEntry &entry);

@@ -45,7 +45,7 @@ UtcTime utcOf(const QDateTime &local, const QTimeZone &zone)
 
 } // namespace
 
-QString captureFileName(const QDateTime &local, const VibrationCapture &captured, const QString &suffix)
+QString captureFileName(const QDateTime &local, const SignalCapture &captured, const QString &suffix)
 {
     static constexpr std::array<const char *, 3> kinds{"", "_5000", "_200"};
     return QStringLiteral("%1_%2_ch%3%4.%5")
@@ -78,7 +78,7 @@ void CaptureFolder::open()
     }
 }
 
-void CaptureFolder::save(const VibrationCapture &captured)
+void CaptureFolder::save(const SignalCapture &captured)
 {
     const auto plan = m_plans.constFind(captured.number);
     if (plan == m_plans.constEnd()) {
@@ -99,7 +99,7 @@ void CaptureFolder::save(const VibrationCapture &captured)
 }
 
 /// A clock that was set back must not overwrite anything: the name is that of the next free second.
-QString CaptureFolder::write(const VibrationCapture &captured, const QString &suffix, const QByteArray &bytes) const
+QString CaptureFolder::write(const SignalCapture &captured, const QString &suffix, const QByteArray &bytes) const
 {
     constexpr int mostTries = 3600;
     QDir().mkpath(m_folder);

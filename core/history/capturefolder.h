@@ -12,7 +12,7 @@
 namespace gorizont {
 
 /// `18_02_07_18_33_03_5_ch0.csv`: time when the capture was whole, N, channel; of a spectrum `…_ch0_5000.csv` or `…_ch0_200.csv`.
-QString captureFileName(const QDateTime &local, const VibrationCapture &captured, const QString &suffix);
+QString captureFileName(const QDateTime &local, const SignalCapture &captured, const QString &suffix);
 
 /// The files of continuous captures, `History/Vims`: each is there whole or not at all. A disk that takes no more loses the capture,
 /// which is told once until one can be saved again. Storage thread.
@@ -31,12 +31,12 @@ public:
     /// Removes what a run that was killed has left half-written.
     void open();
     /// In the formats that the ini asks for; captures of other sensors are ignored.
-    void save(const VibrationCapture &captured);
+    void save(const SignalCapture &captured);
     /// Removes the captures whose time by their name is longer ago than CaptureKeep.
     void removeOld(UtcTime now);
 
 private:
-    QString write(const VibrationCapture &captured, const QString &suffix, const QByteArray &bytes) const;
+    QString write(const SignalCapture &captured, const QString &suffix, const QByteArray &bytes) const;
     void noteOutcome(const QString &problem);
 
     const QString m_folder;

@@ -43,10 +43,10 @@ bool HistoryInbox::put(const JournalEntry &entry)
     return !std::exchange(m_isWriterWoken, true);
 }
 
-bool HistoryInbox::put(const VibrationCapture &captured)
+bool HistoryInbox::put(const SignalCapture &captured)
 {
     const QMutexLocker lock(&m_mutex);
-    QList<VibrationCapture> &captures = m_contents.captures;
+    QList<SignalCapture> &captures = m_contents.captures;
     captures.append(captured);
     m_codes += captured.codes.size();
     while (m_codes > mostCodes && captures.size() > 1) {

@@ -25,7 +25,7 @@ public:
         QHash<int, LineStatus> lines; ///< port → the last one
         QHash<int, QList<SampleBlock>> blocks; ///< N → in the order of arrival; what follows a dropped one says so
         QList<JournalEntry> entries;
-        QList<VibrationCapture> captures; ///< in the order of arrival
+        QList<SignalCapture> captures; ///< in the order of arrival
         qsizetype samplesDropped = 0;
         qsizetype entriesDropped = 0;
         qsizetype capturesDropped = 0;
@@ -50,7 +50,7 @@ public:
     /// True: the writer has to be woken, nobody did since it last took the contents.
     [[nodiscard]] bool put(const SampleBlock &block);
     [[nodiscard]] bool put(const JournalEntry &entry);
-    [[nodiscard]] bool put(const VibrationCapture &captured);
+    [[nodiscard]] bool put(const SignalCapture &captured);
 
     /// Everything; the inbox is empty then.
     Contents take();

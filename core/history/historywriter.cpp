@@ -98,7 +98,7 @@ void HistoryWriter::appendJournal(const JournalEntry &entry)
     }
 }
 
-void HistoryWriter::appendCapture(const VibrationCapture &captured)
+void HistoryWriter::appendCapture(const SignalCapture &captured)
 {
     if (m_config.savesFiles && m_inbox.put(captured)) {
         QMetaObject::invokeMethod(this, &HistoryWriter::flush, Qt::QueuedConnection);
@@ -138,7 +138,7 @@ void HistoryWriter::flush()
         }
         Q_EMIT packetsSaved(blocks.first().number, samples / HistoryConfig::samplesPerPacket);
     }
-    for (const VibrationCapture &captured : contents.captures) {
+    for (const SignalCapture &captured : contents.captures) {
         m_captures.save(captured);
     }
     m_files.addEvents(contents.entries);

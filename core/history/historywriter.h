@@ -35,7 +35,7 @@ public Q_SLOTS:
     void updateLine(const gorizont::LineStatus &status);
     void appendBlock(const gorizont::SampleBlock &block);
     void appendJournal(const gorizont::JournalEntry &entry);
-    void appendCapture(const gorizont::VibrationCapture &captured);
+    void appendCapture(const gorizont::SignalCapture &captured);
 
     /// Repairs what an unclean end left, then writes a record every saveInterval, the first after the first interval.
     void start();

@@ -131,7 +131,7 @@ void SensorRegistry::addBlock(const SampleBlock &block)
     Q_EMIT blockAdded(block);
 }
 
-void SensorRegistry::addCapture(const VibrationCapture &captured)
+void SensorRegistry::addCapture(const SignalCapture &captured)
 {
     Q_EMIT captureAdded(captured);
 }

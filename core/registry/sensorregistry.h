@@ -66,7 +66,7 @@ public Q_SLOTS:
     void update(const QList<gorizont::Reading> &batch);
     void updateLine(const gorizont::LineStatus &status);
     void addBlock(const gorizont::SampleBlock &block);
-    void addCapture(const gorizont::VibrationCapture &captured);
+    void addCapture(const gorizont::SignalCapture &captured);
     void setPacketsSaved(int number, quint64 packets);
     /// Told to nobody: it changes once a minute, and whoever shows it looks here.
     void setInformation(const gorizont::DeviceInformation &information);
@@ -75,7 +75,7 @@ Q_SIGNALS:
     void readingsChanged(const QList<gorizont::Reading> &batch);
     void lineChanged(const gorizont::LineStatus &status);
     void blockAdded(const gorizont::SampleBlock &block);
-    void captureAdded(const gorizont::VibrationCapture &captured);
+    void captureAdded(const gorizont::SignalCapture &captured);
 
 private:
     std::optional<Tilt> tiltOf(int number) const;

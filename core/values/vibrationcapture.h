@@ -50,16 +50,16 @@ QList<SpectrumBin> spectrumOf(
     const CaptureInformation &information, const QList<qint32> &codes, CodeUnit unit = CodeUnit::Physical);
 
 /// A waveform or a spectrum that a driver has fetched whole. Copies share the codes.
-struct VibrationCapture
+struct SignalCapture
 {
     int number = 0; ///< N, the sensor
     CaptureKind kind = CaptureKind::Waveform;
     UtcTime time; ///< when it was whole
     CaptureInformation information;
     QList<qint32> codes;
-    bool operator==(const VibrationCapture &) const = default;
+    bool operator==(const SignalCapture &) const = default;
 };
 
 } // namespace gorizont
 
-Q_DECLARE_METATYPE(gorizont::VibrationCapture)
+Q_DECLARE_METATYPE(gorizont::SignalCapture)

@@ -102,7 +102,7 @@ Capturing::Outcome Capturing::outcomeOf(const Job &job, std::optional<Fault> fau
     outcome.isNews = last == m_last.end() ? fault.has_value() : last->second != fault;
     m_last[job] = fault;
     if (!fault) {
-        VibrationCapture signal;
+        SignalCapture signal;
         signal.kind = job.second;
         signal.information = m_capture->information();
         signal.codes = m_capture->codes();

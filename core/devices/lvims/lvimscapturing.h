@@ -29,7 +29,7 @@ public:
     {
         CaptureKind kind = CaptureKind::Waveform;
         int channel = 0;
-        std::optional<VibrationCapture> signal; ///< its number and time are not set
+        std::optional<SignalCapture> signal; ///< its number and time are not set
         std::optional<Fault> fault; ///< why there is none
         bool isNews = false; ///< the last one of this kind and channel went otherwise; the first that is good is none
     };

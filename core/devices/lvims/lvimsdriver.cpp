@@ -105,7 +105,7 @@ private:
     void conclude(const Capturing::Outcome &outcome)
     {
         if (outcome.signal) {
-            VibrationCapture captured = *outcome.signal;
+            SignalCapture captured = *outcome.signal;
             captured.number = settings().sensor.number;
             captured.time = utcNow();
             deliver(captured);

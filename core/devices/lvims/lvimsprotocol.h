@@ -2,7 +2,6 @@
 
 #include "core/devices/lvims/lvimswords.h"
 #include "core/values/vibration.h"
-#include "core/values/vibrationkinds.h"
 
 /// What the registers of an L-VIMS mean: manual 003, sections 2.2, 2.3, 4 and 5; spec/l-vims.md.
 namespace gorizont::lvims {
@@ -74,12 +73,5 @@ constexpr Range relayRange{moduleRegister("RELE_STATE").address, moduleRegister(
 VibrationChannel channelOf(const Words &chst, int channel, std::optional<double> fullScale);
 
 QList<Relay> relaysOf(quint32 state);
-
-using gorizont::MeasurementKind;
-
-inline const MeasurementKind *kindOf(int type)
-{
-    return measurementKind(type);
-}
 
 } // namespace gorizont::lvims

@@ -32,9 +32,9 @@ struct Site
     }
 
     /// Steps until \a count signals have come, in the free time between turns; at most so long as a busy machine needs.
-    QList<VibrationCapture> fetch(qsizetype count)
+    QList<SignalCapture> fetch(qsizetype count)
     {
-        QList<VibrationCapture> captures;
+        QList<SignalCapture> captures;
         const QDeadlineTimer limit(20'000);
         while (captures.size() < count && !limit.hasExpired()) {
             step();
@@ -105,7 +105,7 @@ private Q_SLOTS:
             {3, CaptureKind::Waveform},
             {3, CaptureKind::Spectrum200}};
         for (int i = 0; i < 4; ++i) {
-            const VibrationCapture &captured = captures.at(i);
+            const SignalCapture &captured = captures.at(i);
             QCOMPARE(captured.number, 7);
             QCOMPARE(captured.information.channel, expected[i].first);
             QCOMPARE(captured.kind, expected[i].second);
@@ -139,7 +139,7 @@ private Q_SLOTS:
     {
         Site site({{u"captureevery"_s, u"3600"_s}, {u"capturechannels"_s, u"2"_s}});
         QVERIFY(site.driver->poll(site.line));
-        QList<VibrationCapture> captures;
+        QList<SignalCapture> captures;
         const QDeadlineTimer limit(20'000);
         while (captures.isEmpty()) {
             QVERIFY(!limit.hasExpired());

@@ -75,7 +75,7 @@ private Q_SLOTS:
         LinePoller poller(site);
         poller.restart();
         TurnReport report;
-        QList<VibrationCapture> captures;
+        QList<SignalCapture> captures;
         int answers = 0;
         const SteadyTime start = SteadyTime::clock::now();
         while (captures.size() < 2) {

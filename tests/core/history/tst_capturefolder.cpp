@@ -13,9 +13,9 @@ using Qt::Literals::StringLiterals::operator""_s;
 
 namespace {
 
-VibrationCapture captured(int number, int channel, CaptureKind kind = CaptureKind::Waveform)
+SignalCapture captured(int number, int channel, CaptureKind kind = CaptureKind::Waveform)
 {
-    VibrationCapture signal;
+    SignalCapture signal;
     signal.number = number;
     signal.kind = kind;
     signal.time = moscow("2018-02-07T18:33:03");

@@ -92,7 +92,7 @@ void TestHistoryInbox::oldestEventsAreDropped()
 void TestHistoryInbox::oldestCapturesAreDropped()
 {
     HistoryInbox inbox(64);
-    VibrationCapture captured;
+    SignalCapture captured;
     captured.codes.resize(HistoryInbox::mostCodes / 2);
     for (captured.number = 1; captured.number <= 3; ++captured.number) {
         (void)inbox.put(captured);
