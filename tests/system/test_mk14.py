@@ -133,7 +133,7 @@ class Mk14Server(unittest.TestCase):
         self.assertLess(direction, 3600)
         turned = (direction / 10 - values["A"]["mean"] + 180) % 360 - 180
         self.assertLess(abs(turned), 60)
-        self.assertGreaterEqual(maximum + 1, speed)
+        self.assertTrue(0 < maximum < 3000, maximum)  # of the last turns: the mean of a minute may be above it
         self.assertLess(deviation, 1000)
         self.assertLess(turning, 36000)
         wind = struct.unpack(">6fI", client.read(1, 3080, 14, function=3))
