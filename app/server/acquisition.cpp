@@ -46,8 +46,8 @@ LineWorker::MakeLine Acquisition::lineMaker(
     }
     if (line.device.startsWith(stationScheme, Qt::CaseInsensitive)) {
         OwnStation &own = stationIn(line.device.sliced(stationScheme.size()), settings.ports, journal);
-        return [station = &own.thread->station(), problem = own.problem, tick]() -> std::unique_ptr<Line> {
-            return std::make_unique<station::StationLine>(*station, problem, tick);
+        return [host = &own.thread->station(), problem = own.problem, tick]() -> std::unique_ptr<Line> {
+            return std::make_unique<station::StationLine>(*host, problem, tick);
         };
     }
     return [=, naming = settings.ports] { return makeLine(line, naming, tick); };
