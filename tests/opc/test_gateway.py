@@ -1,4 +1,5 @@
 """The OPC DA gateway under Wine, against a feed whose every value is set here. Ends with 77 where it cannot be tried."""
+import difflib
 import json
 import os
 import pathlib
@@ -60,6 +61,10 @@ class GatewayTest(unittest.TestCase):
     def try_out(self, *words, seconds=120):
         self.assert_well(self.converse(*words).finish(seconds))
 
+    def assert_registry_as_before(self):
+        changed = difflib.unified_diff(self.before.splitlines(), self.prefix.registry().splitlines(), n=0, lineterm="")
+        self.assertEqual(list(changed), [])
+
     def test_1_interfaces(self):
         self.assertEqual(self.registered, 0)
         self.try_out("registry", "server", "browsing", "items", "reading", "state")
@@ -97,11 +102,11 @@ class GatewayTest(unittest.TestCase):
         # What the second registration did not name is still that of the first.
         self.assertIn(self.feed.hash, self.prefix.registry())
         self.assertEqual(self.prefix.run(GATEWAY, "/UnregServer"), 0)
-        self.assertEqual(self.prefix.registry(), self.before)
+        self.assert_registry_as_before()
         self.assertEqual(self.prefix.run(GATEWAY, "/RegServer", "/PerUser"), 0)
         self.assertIn("OPC.DA.GorizontServer", self.prefix.registry())
         self.assertEqual(self.prefix.run(GATEWAY, "/UnregServer", "/PerUser"), 0)
-        self.assertEqual(self.prefix.registry(), self.before)
+        self.assert_registry_as_before()
         self.assertNotEqual(self.prefix.run(GATEWAY, "/Nonsense"), 0)
 
 

@@ -48,9 +48,10 @@ const Category Categories[] = {
     {L"{CC603642-66D7-48F1-B69A-B625E73652D7}", L"OPC Data Access Servers Version 3.0"},
 };
 
-const std::wstring ServerKey = std::wstring(L"CLSID\\") + ServerClsidText;
+const std::wstring Classes = L"Classes\\";
+const std::wstring ServerKey = Classes + L"CLSID\\" + ServerClsidText;
 const std::wstring SettingsKey = ServerKey + L"\\Settings";
-const std::wstring ProxyKey = std::wstring(L"CLSID\\") + ProxyClsidText;
+const std::wstring ProxyKey = Classes + L"CLSID\\" + ProxyClsidText;
 
 struct View
 {
@@ -71,26 +72,26 @@ std::wstring interfaceKey(const IID &id)
 {
     wchar_t text[64] = L"";
     StringFromGUID2(id, text, static_cast<int>(std::size(text)));
-    return std::wstring(L"Interface\\") + text;
+    return Classes + L"Interface\\" + text;
 }
 
 void writeClass(RegistryKeys &keys)
 {
-    const std::wstring progId = ProgId;
+    const std::wstring progId = Classes + ProgId;
     keys.set(progId, nullptr, ServerDescription);
     keys.set(progId + L"\\CLSID", nullptr, ServerClsidText);
     keys.set(progId + L"\\OPC", nullptr, {});
     keys.set(ServerKey, nullptr, ServerDescription);
     keys.set(ServerKey, L"AppID", AppIdText);
-    keys.set(ServerKey + L"\\ProgID", nullptr, progId);
-    keys.set(ServerKey + L"\\VersionIndependentProgID", nullptr, progId);
+    keys.set(ServerKey + L"\\ProgID", nullptr, ProgId);
+    keys.set(ServerKey + L"\\VersionIndependentProgID", nullptr, ProgId);
     keys.set(ServerKey + L"\\LocalServer32", nullptr, L"\"" + programPath() + L"\"");
-    const std::wstring appIds = L"AppID\\";
+    const std::wstring appIds = Classes + L"AppID\\";
     keys.set(appIds + AppIdText, nullptr, ServerDescription);
     keys.set(appIds + std::filesystem::path(programPath()).filename().wstring(), L"AppID", AppIdText);
     for (const Category &category : Categories) {
         keys.set(ServerKey + L"\\Implemented Categories\\" + category.id, nullptr, {});
-        const std::wstring key = std::wstring(L"Component Categories\\") + category.id;
+        const std::wstring key = Classes + L"Component Categories\\" + category.id;
         if (!keys.exists(key))
             keys.set(key, L"409", category.name);
     }
@@ -128,7 +129,7 @@ void writeSettings(RegistryKeys &keys, const CommandLine &line)
 /// True for a key of an interface that has another proxy than ours by now.
 bool isOfOthers(const RegistryKeys &keys, const std::wstring &key)
 {
-    constexpr std::wstring_view Start = L"Interface\\{";
+    constexpr std::wstring_view Start = L"Classes\\Interface\\{";
     if (!key.starts_with(Start))
         return false;
     const std::wstring present =
@@ -145,6 +146,7 @@ LONG registerServer(Scope scope, const CommandLine &line)
         std::vector<std::wstring> noted = keys.list(SettingsKey, L"Created");
         writeClass(keys);
         writeProxy(keys, besideProgram(view.proxy));
+        keys.setList(SettingsKey, L"Created", noted); // its own key is to be in the list too
         writeSettings(keys, line);
         noted.insert(noted.end(), keys.created().begin(), keys.created().end());
         keys.setList(SettingsKey, L"Created", noted);

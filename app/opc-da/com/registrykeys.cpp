@@ -4,7 +4,7 @@ namespace opcda {
 
 namespace {
 
-const std::wstring Classes = L"Software\\Classes\\";
+const std::wstring Software = L"Software\\";
 
 /// Closed at the end of its scope.
 class OpenKey
@@ -30,7 +30,7 @@ private:
 std::wstring content(HKEY root, const std::wstring &key, const wchar_t *name, REGSAM view, DWORD type)
 {
     OpenKey open;
-    if (RegOpenKeyExW(root, (Classes + key).c_str(), 0, KEY_READ | view, open.target()) != ERROR_SUCCESS)
+    if (RegOpenKeyExW(root, (Software + key).c_str(), 0, KEY_READ | view, open.target()) != ERROR_SUCCESS)
         return {};
     DWORD size = 0;
     if (RegGetValueW(open.get(), nullptr, name, type, nullptr, nullptr, &size) != ERROR_SUCCESS)
@@ -45,7 +45,7 @@ std::wstring content(HKEY root, const std::wstring &key, const wchar_t *name, RE
 bool RegistryKeys::exists(const std::wstring &key) const
 {
     OpenKey open;
-    return RegOpenKeyExW(m_root, (Classes + key).c_str(), 0, KEY_READ | m_view, open.target()) == ERROR_SUCCESS;
+    return RegOpenKeyExW(m_root, (Software + key).c_str(), 0, KEY_READ | m_view, open.target()) == ERROR_SUCCESS;
 }
 
 std::wstring RegistryKeys::text(const std::wstring &key, const wchar_t *name) const
@@ -72,7 +72,7 @@ void RegistryKeys::make(const std::wstring &key)
         OpenKey open;
         DWORD disposition = 0;
         m_error = RegCreateKeyExW(
-            m_root, (Classes + part).c_str(), 0, nullptr, 0, KEY_READ | KEY_WRITE | m_view, nullptr, open.target(),
+            m_root, (Software + part).c_str(), 0, nullptr, 0, KEY_READ | KEY_WRITE | m_view, nullptr, open.target(),
             &disposition);
         if (m_error == ERROR_SUCCESS && disposition == REG_CREATED_NEW_KEY)
             m_created.push_back(part);
@@ -85,7 +85,7 @@ void RegistryKeys::write(const std::wstring &key, const wchar_t *name, DWORD typ
     if (m_error != ERROR_SUCCESS)
         return;
     OpenKey open;
-    m_error = RegOpenKeyExW(m_root, (Classes + key).c_str(), 0, KEY_WRITE | m_view, open.target());
+    m_error = RegOpenKeyExW(m_root, (Software + key).c_str(), 0, KEY_WRITE | m_view, open.target());
     if (m_error == ERROR_SUCCESS)
         m_error = RegSetValueExW(
             open.get(), name, 0, type, reinterpret_cast<const BYTE *>(data.c_str()), // with its final zero
@@ -109,7 +109,7 @@ bool RegistryKeys::isBare(const std::wstring &key) const
 {
     OpenKey open;
     DWORD keys = 0;
-    return RegOpenKeyExW(m_root, (Classes + key).c_str(), 0, KEY_READ | m_view, open.target()) == ERROR_SUCCESS
+    return RegOpenKeyExW(m_root, (Software + key).c_str(), 0, KEY_READ | m_view, open.target()) == ERROR_SUCCESS
         && RegQueryInfoKeyW(
                open.get(), nullptr, nullptr, nullptr, &keys, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
                nullptr)
@@ -121,7 +121,7 @@ void RegistryKeys::remove(const std::wstring &key)
 {
     if (!isBare(key))
         return;
-    const LONG result = RegDeleteKeyExW(m_root, (Classes + key).c_str(), m_view, 0);
+    const LONG result = RegDeleteKeyExW(m_root, (Software + key).c_str(), m_view, 0);
     if (m_error == ERROR_SUCCESS)
         m_error = result;
 }

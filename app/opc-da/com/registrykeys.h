@@ -6,7 +6,7 @@
 
 namespace opcda {
 
-/// A part of the registry under Software\Classes, as 64-bit or as 32-bit programs see it, with a list of what was made in it.
+/// A part of the registry under Software, as 64-bit or as 32-bit programs see it, with a list of what was made in it.
 class RegistryKeys
 {
 public:

@@ -208,8 +208,7 @@ void testReading()
     Allocated<FILETIME> times;
     Allocated<HRESULT> errors;
     checkResult("maxage", S_FALSE, io->ReadMaxAge(2, two.data(), ages, &values, &qualities, &times, &errors));
-    check(
-        "maxage.value", values[0].dblVal == 12.25 && qualities[0] == 192 && CompareFileTime(times.get(), &time) == 0);
+    check("maxage.value", values[0].dblVal == 12.25 && qualities[0] == 192 && CompareFileTime(times.get(), &time) == 0);
     checkResult("maxage.handle", static_cast<HRESULT>(0xC0040001), errors[1]);
     OPCITEMVQT written{};
     Allocated<HRESULT> refused;

@@ -138,14 +138,26 @@ std::vector<DWORD> processesOf(const wchar_t *file)
     return found;
 }
 
-void killGateways()
+namespace {
+
+void killAll(const wchar_t *file)
 {
-    for (const DWORD id : processesOf(L"gorizont-opc-da.exe")) {
+    for (const DWORD id : processesOf(file)) {
         const HANDLE process = OpenProcess(PROCESS_TERMINATE | SYNCHRONIZE, FALSE, id);
         TerminateProcess(process, 1);
         WaitForSingleObject(process, 5000);
         CloseHandle(process);
     }
+}
+
+} // namespace
+
+void killGateways()
+{
+    killAll(L"gorizont-opc-da.exe");
+    // Wine's service of COM never forgets the classes of a program that was killed; that of Windows does.
+    if (GetProcAddress(GetModuleHandleW(L"ntdll.dll"), "wine_get_version"))
+        killAll(L"rpcss.exe");
 }
 
 } // namespace opctest
