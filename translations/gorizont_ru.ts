@@ -6667,7 +6667,7 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     </message>
     <message>
         <source>&amp;Write…</source>
-        <translation>&amp;Записать…</translation>
+        <translation>Запис&amp;ать…</translation>
     </message>
     <message>
         <source>Prepares what was changed here (MUT). The module does not use it yet.</source>
@@ -6698,7 +6698,7 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>Заполняет окно из копии. Ничего ещё не пишется.</translation>
     </message>
     <message>
-        <source>To a fi&amp;le…</source>
+        <source>&amp;To a file…</source>
         <translation>В &amp;файл…</translation>
     </message>
     <message>
@@ -6706,8 +6706,8 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
         <translation>Сохраняет действующие настройки как копию.</translation>
     </message>
     <message>
-        <source>Re&amp;load from flash…</source>
-        <translation>&amp;Вернуть из flash…</translation>
+        <source>Reload from flas&amp;h…</source>
+        <translation>Верн&amp;уть из flash…</translation>
     </message>
     <message>
         <source>The module uses the settings of its flash again; what was only applied is lost.</source>
@@ -6722,7 +6722,7 @@ Faults, each KIND=VALUE[@FROM[-TO]] with times in seconds since the start:
     <name>gorizont::VimsModulePanel</name>
     <message>
         <source>&amp;Restart the module…</source>
-        <translation>Пере&amp;запустить модуль…</translation>
+        <translation>Пер&amp;езапустить модуль…</translation>
     </message>
     <message>
         <source>About the module</source>

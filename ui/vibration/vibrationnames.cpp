@@ -1,6 +1,7 @@
 #include "ui/vibration/vibrationnames.h"
 
 #include "core/devices/lvims/lvimsprotocol.h"
+#include "ui/plots/plottext.h"
 
 #include <QCoreApplication>
 
@@ -15,8 +16,7 @@ QString measurement(int type)
 
 QString accelerationUnit(const SensorConfig &)
 {
-    constexpr int acceleration = 1;
-    return QCoreApplication::translate("LVims", lvims::kindOf(acceleration)->unit);
+    return plottext::unitOf(ValueAxis::Acceleration, TiltUnit::Degrees);
 }
 
 } // namespace gorizont::vibrationnames
