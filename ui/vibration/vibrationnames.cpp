@@ -1,7 +1,6 @@
 #include "ui/vibration/vibrationnames.h"
 
 #include "core/devices/lvims/lvimsprotocol.h"
-#include "ui/plots/plottext.h"
 
 #include <QCoreApplication>
 
@@ -16,7 +15,8 @@ QString measurement(int type)
 
 QString accelerationUnit(const SensorConfig &)
 {
-    return plottext::unitOf(ValueAxis::Acceleration, TiltUnit::Degrees);
+    constexpr int acceleration = 1;
+    return QCoreApplication::translate("LVims", lvims::kindOf(acceleration)->unit);
 }
 
 } // namespace gorizont::vibrationnames
