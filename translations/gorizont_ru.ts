@@ -8976,7 +8976,7 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
     </message>
     <message>
         <source>&amp;Write…</source>
-        <translation>&amp;Записать…</translation>
+        <translation>Запис&amp;ать…</translation>
     </message>
     <message>
         <source>Prepares what was changed here (MUT). The module does not use it yet.</source>
@@ -9007,16 +9007,8 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
         <translation>Заполняет окно из копии. Ничего ещё не пишется.</translation>
     </message>
     <message>
-        <source>To a fi&amp;le…</source>
-        <translation>В &amp;файл…</translation>
-    </message>
-    <message>
         <source>Keeps the settings in use as a backup.</source>
         <translation>Сохраняет действующие настройки как копию.</translation>
-    </message>
-    <message>
-        <source>Re&amp;load from flash…</source>
-        <translation>&amp;Вернуть из flash…</translation>
     </message>
     <message>
         <source>The module uses the settings of its flash again; what was only applied is lost.</source>
@@ -9026,12 +9018,20 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
         <source>Differences (%1)</source>
         <translation>Различия (%1)</translation>
     </message>
+    <message>
+        <source>&amp;To a file…</source>
+        <translation>В &amp;файл…</translation>
+    </message>
+    <message>
+        <source>Reload from flas&amp;h…</source>
+        <translation>Верн&amp;уть из flash…</translation>
+    </message>
 </context>
 <context>
     <name>gorizont::VimsModulePanel</name>
     <message>
         <source>&amp;Restart the module…</source>
-        <translation>Пере&amp;запустить модуль…</translation>
+        <translation>Пер&amp;езапустить модуль…</translation>
     </message>
     <message>
         <source>About the module</source>

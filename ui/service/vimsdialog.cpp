@@ -24,7 +24,7 @@ VimsDialog::VimsDialog(const ServicePort &port, QWidget *parent)
     scan()->hide();
     connectForm();
     setUp(m_form, m_form->tabOrder());
-    addresses()->setFocus();
+    m_form->setFocus();
 }
 
 void VimsDialog::connectForm()

@@ -38,6 +38,9 @@ VimsForm::VimsForm(QComboBox *modules, QWidget *parent)
     m_tabs->addTab(m_comparison, QString());
     m_progress->setObjectName(QStringLiteral("settingsProgress"));
     m_progress->setTextVisible(false);
+    QSizePolicy keepsItsPlace = m_progress->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsItsPlace);
     auto *top = new QHBoxLayout;
     top->addWidget(label);
     top->addWidget(m_modules);
@@ -47,6 +50,7 @@ VimsForm::VimsForm(QComboBox *modules, QWidget *parent)
     layout->addLayout(top);
     layout->addWidget(m_tabs, 1);
     layout->addWidget(makeButtons());
+    setFocusProxy(m_tabs);
     compare({}, {});
     showProgress(0, 0);
 }
@@ -84,9 +88,9 @@ QWidget *VimsForm::makeButtons()
     addButton(
         tr("&From a file…"), "openSettings", tr("Fills the form from a backup. Nothing is written yet."),
         &VimsForm::openWanted);
-    addButton(tr("To a fi&le…"), "saveSettings", tr("Keeps the settings in use as a backup."), &VimsForm::saveWanted);
+    addButton(tr("&To a file…"), "saveSettings", tr("Keeps the settings in use as a backup."), &VimsForm::saveWanted);
     addButton(
-        tr("Re&load from flash…"), "reloadSettings",
+        tr("Reload from flas&h…"), "reloadSettings",
         tr("The module uses the settings of its flash again; what was only applied is lost."), &VimsForm::reloadWanted);
     for (int i = 0; i < m_buttons.size(); ++i) {
         grid->addWidget(m_buttons.at(i), i / 4, i % 4);
@@ -116,6 +120,7 @@ void VimsForm::showProgress(qsizetype done, qsizetype total)
 {
     m_progress->setRange(0, std::max(1, static_cast<int>(total)));
     m_progress->setValue(static_cast<int>(done));
+    m_progress->setVisible(total > 0);
 }
 
 QWidgetList VimsForm::tabOrder() const

@@ -5,6 +5,8 @@
 #include "ui/plots/curvestyle.h"
 #include "ui/vibration/capturetext.h"
 
+#include <algorithm>
+
 namespace gorizont {
 
 namespace {
@@ -25,6 +27,7 @@ SpectrumPlot::SpectrumPlot(const QString &moduleName, double highest, QWidget *p
     setFromZero(true);
     setWhole({0, highest});
     dressCurves();
+    connect(this, &QCustomPlot::beforeReplot, this, &SpectrumPlot::placeLabels);
 }
 
 /// The module's own in front.
@@ -96,6 +99,25 @@ void SpectrumPlot::drawPeaks()
         m_labels.append(label);
     }
     dressCurves();
+}
+
+/// A label that would cover that of a higher peak is left out; zooming makes room.
+void SpectrumPlot::placeLabels()
+{
+    const int room = 2 * fontMetrics().horizontalAdvance(QStringLiteral("0000.00")) / 3;
+    QList<double> taken;
+    for (QCPItemText *label : m_labels) {
+        const double pixel = xAxis->coordToPixel(label->position->key());
+        const bool isFree = std::none_of(taken.cbegin(), taken.cend(), [=](double other) {
+            return std::abs(other - pixel) < 2 * room;
+        });
+        const bool isAtEdge = pixel - axisRect()->left() < room;
+        label->setVisible(isFree);
+        label->setPositionAlignment(Qt::AlignBottom | (isAtEdge ? Qt::AlignLeft : Qt::AlignHCenter));
+        if (isFree) {
+            taken.append(pixel);
+        }
+    }
 }
 
 QString SpectrumPlot::valueAt(const Spectrum &spectrum, double frequency) const

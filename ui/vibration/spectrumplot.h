@@ -27,6 +27,7 @@ protected:
 private:
     void dressCurves();
     void drawPeaks();
+    void placeLabels();
     QList<double> heights(const Spectrum &spectrum) const
     {
         return m_isDensity ? spectrum.density : spectrum.amplitude;

@@ -10,6 +10,15 @@ namespace gorizont {
 namespace {
 
 constexpr int mostPeaks = 5;
+constexpr double leastOfHighest = 1e-3; ///< what is lower says nothing to an operator
+
+QList<SpectrumPeak> highestOf(const Spectrum &spectrum)
+{
+    QList<SpectrumPeak> found = peaks(spectrum, mostPeaks);
+    const double least = found.isEmpty() ? 0 : leastOfHighest * found.constFirst().amplitude;
+    found.removeIf([least](const SpectrumPeak &peak) { return peak.amplitude < least; });
+    return found;
+}
 
 } // namespace
 
@@ -25,7 +34,7 @@ VibrationSpectrum ownSpectrum(
     settings.window = SpectrumWindow::Hann;
     settings.length = samples.size();
     VibrationSpectrum result{spectrum({samples}, information.rate, settings), {}};
-    result.peaks = peaks(result.lines, mostPeaks);
+    result.peaks = highestOf(result.lines);
     return result;
 }
 
@@ -58,7 +67,7 @@ VibrationSpectrum spectrumOfModule(
         result.lines.density.append(bin.density);
     }
     result.lines.resolution = bins.size() > 1 ? bins.at(1).frequency : 0;
-    result.peaks = peaks(result.lines, mostPeaks);
+    result.peaks = highestOf(result.lines);
     return result;
 }
 
