@@ -1,35 +1,25 @@
-"""The OPC DA gateway under Wine, against a feed whose every value is set here. Ends with 77 where it cannot be tried."""
+"""The OPC DA gateway under Wine, against a feed whose every value is set here. Ends with 77 where it cannot be tried.
+
+`test_gateway.py Bench` prints figures.
+"""
 import difflib
 import json
-import os
-import pathlib
 import sys
-import unittest
 
-import wine_prefix
+import opc_case
 from fake_feed import GOOD, FakeFeed
-
-OPC = pathlib.Path(os.environ["GORIZONT_OPC"])
-WORK = pathlib.Path(os.environ["GORIZONT_OPC_WORK"])
-GATEWAY = OPC / "gorizont-opc-da.exe"
-CLIENT = OPC / "opc-test-client.exe"
-BENCH = "bench" in sys.argv
+from opc_case import GATEWAY
 
 
-class GatewayTest(unittest.TestCase):
-    """One prefix and one feed for all; the tests run in the order of their names."""
+class FedCase(opc_case.OpcCase):
+    """With one feed for all tests."""
 
     @classmethod
     def setUpClass(cls):
-        cls.prefix = wine_prefix.Prefix(WORK)
+        super().setUpClass()
         cls.feed = FakeFeed()
-        cls.conversations = 0
         cls.before = cls.prefix.registry()
         cls.registered = cls.prefix.run(GATEWAY, "/RegServer", f"/Port={cls.feed.port}", f"/Hash={cls.feed.hash}")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.prefix.close()
 
     def deed(self, conversation, what):
         word, _, rest = what.partition(" ")
@@ -47,20 +37,8 @@ class GatewayTest(unittest.TestCase):
         else:
             self.fail(f"the client asks for «{what}»")
 
-    def converse(self, *words):
-        type(self).conversations += 1
-        output = WORK / f"client{self.conversations}.txt"
-        return wine_prefix.Conversation(self.prefix, CLIENT, words, output, self.deed, " ".join(words))
 
-    def assert_well(self, lines):
-        failed = [line for line in lines if line.startswith("FAIL")]
-        self.assertEqual(failed, [])
-        self.assertEqual(lines[-1:], ["end 0"])
-        self.assertGreater(sum(line.startswith("ok ") for line in lines), 0)
-
-    def try_out(self, *words, seconds=120):
-        self.assert_well(self.converse(*words).finish(seconds))
-
+class GatewayTest(FedCase):
     def assert_registry_as_before(self):
         changed = difflib.unified_diff(self.before.splitlines(), self.prefix.registry().splitlines(), n=0, lineterm="")
         self.assertEqual(list(changed), [])
@@ -110,26 +88,10 @@ class GatewayTest(unittest.TestCase):
         self.assertNotEqual(self.prefix.run(GATEWAY, "/Nonsense"), 0)
 
 
-class Bench(GatewayTest):
-    """`test_gateway.py bench`: figures, not verdicts."""
-
+class Bench(FedCase):
     def test_bench(self):
         self.try_out("bench", seconds=3600)
 
 
-def main():
-    absent = wine_prefix.missing() or next(
-        (f"{program.name} is not built: the cross compiler is missing" for program in (GATEWAY, CLIENT) if not program.exists()),
-        None)
-    if absent:
-        print(f"skipped: {absent}")
-        return 77
-    WORK.mkdir(parents=True, exist_ok=True)
-    names = ["Bench.test_bench"] if BENCH else ["GatewayTest"]
-    arguments = [sys.argv[0], *(argument for argument in sys.argv[1:] if argument != "bench")]
-    program = unittest.main(argv=arguments, defaultTest=names, verbosity=2, exit=False)
-    return 0 if program.result.wasSuccessful() else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(opc_case.main("GatewayTest"))

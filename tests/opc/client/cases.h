@@ -18,6 +18,7 @@ void testHold(); ///< subscribes and waits for its own death
 void testSurvivor(); ///< after the death of another client
 void testEnding(); ///< the gateway ends after its last client
 void testChain(); ///< the whole chain with the simulator
+void testListAlone(); ///< the program does not run, its list of tags was registered
 void runBench();
 
 } // namespace opctest

@@ -18,7 +18,8 @@ constexpr Case Cases[] = {
     {"registry", testRegistry}, {"server", testServer},       {"browsing", testBrowsing}, {"items", testItems},
     {"reading", testReading},   {"callbacks", testCallbacks}, {"state", testState},       {"thousand", testThousand},
     {"outage", testOutage},     {"death", testDeath},         {"shutdown", testShutdown}, {"hold", testHold},
-    {"survivor", testSurvivor}, {"ending", testEnding},       {"chain", testChain},       {"bench", runBench},
+    {"survivor", testSurvivor}, {"ending", testEnding},       {"chain", testChain},       {"alone", testListAlone},
+    {"bench", runBench},
 };
 
 bool run(const char *word)
