@@ -120,7 +120,9 @@ int runWindow(Application &application, const Site &site, SingleInstance &instan
         (new RegisterMapDialog(registerDocument(site.reading.config), &window))->show();
     });
     const auto showTags = [&window, &site](const QString &message) {
-        (new OpcTagsDialog(QString::fromUtf8(opcTagList(opcTags(site.reading.config.lines))), message, &window))
+        (new OpcTagsDialog(
+             QString::fromUtf8(opcTagList(opcTags(site.reading.config.lines, opcWeatherOf(site.reading.config.lines)))),
+             message, &window))
             ->show();
     };
     QObject::connect(&window, &MainWindow::opcTagsRequested, &window, [showTags] { showTags({}); });
@@ -223,7 +225,9 @@ int run(Options options)
         return print(options, configFile, [](const ServerConfig &config) { return registerDocument(config).toUtf8(); });
     }
     if (options.printsOpcTags) {
-        return print(options, configFile, [](const ServerConfig &config) { return opcTagList(opcTags(config.lines)); });
+        return print(options, configFile, [](const ServerConfig &config) {
+            return opcTagList(opcTags(config.lines, opcWeatherOf(config.lines)));
+        });
     }
     QString problem;
     auto site = loadSite(options, configFile, &problem);

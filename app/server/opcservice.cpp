@@ -1,9 +1,32 @@
 #include "app/server/opcservice.h"
 
+#include "core/devices/mk14/mk14options.h"
+
 namespace gorizont {
 
+OpcWeather opcWeatherOf(const QList<LineConfig> &lines)
+{
+    OpcWeather weather;
+    for (const LineConfig &line : lines) {
+        for (const SensorConfig &sensor : line.sensors) {
+            if (sensor.type != SensorType::Mk14) {
+                continue;
+            }
+            for (const mk14::ParameterName &known : mk14::Options::from(sensor).parameters) {
+                WeatherParameter parameter;
+                parameter.code = known.code;
+                parameter.number = known.number;
+                parameter.name = known.name;
+                parameter.unit = known.unit;
+                weather[sensor.number].append(parameter);
+            }
+        }
+    }
+    return weather;
+}
+
 OpcService::OpcService(const Site &site)
-    : m_feed(opcFeedConfig(site.config, {}))
+    : m_feed(opcFeedConfig(site.config, opcWeatherOf(site.config.lines)))
     , m_setup(site.dataFolder, m_feed.tags())
 {
     OpcFeed *feed = &m_feed;

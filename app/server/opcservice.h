@@ -9,6 +9,9 @@
 
 namespace gorizont {
 
+/// The parameters of the weather stations in \a lines as their drivers name them; reads the files of `ParFile{i}`.
+OpcWeather opcWeatherOf(const QList<LineConfig> &lines);
+
 /// OPC DA in the main program: the feed for gateways in the servers thread, and what the first run does. Main thread.
 class OpcService : public QObject
 {

@@ -21,8 +21,8 @@ struct Alarm
     LineState line = LineState::Open; ///< of a whole port: how it fails
     QString title; ///< `АН-Д3 № 1 (COM10, address 1)` or `COM10`
     QString place; ///< Place{i} of the sensor, Name of the port; may be empty
-    QString
-        lineFaults; ///< which lines to the sensors of a vibration module are shorted or broken; empty: it is about something else
+    SensorType type = SensorType::None; ///< of the sensor
+    QString cause; ///< what the device itself says of it, in one sentence; empty: no more than the code
     UtcTime began;
     bool isAcknowledged = false;
 

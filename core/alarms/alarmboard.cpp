@@ -1,7 +1,6 @@
 #include "core/alarms/alarmboard.h"
 
 #include "core/values/statustext.h"
-#include "core/values/vibrationtext.h"
 
 #include <algorithm>
 
@@ -17,12 +16,6 @@ bool fails(LineState state)
 bool isOfPort(StatusCode code)
 {
     return code == StatusCode::PortOff || code == StatusCode::PortError;
-}
-
-QString lineFaultsOf(const Reading &reading)
-{
-    const bool isOfLines = statusCode(reading.status) == StatusCode::TransducerSilent && reading.vibration;
-    return isOfLines ? vibrationtext::lineFaults(*reading.vibration) : QString();
 }
 
 } // namespace
@@ -58,8 +51,8 @@ AlarmBoard::Change AlarmBoard::update(const QList<Reading> &batch)
         const bool saysNothing = isOfPort(code) || (code == StatusCode::Good && !reading.isAnswer);
         if (code != sensor->code && !saysNothing) {
             updateSensor(*sensor, reading, change);
-        } else if (code == StatusCode::TransducerSilent && reading.vibration) {
-            updateLineFaults(*sensor, reading, change);
+        } else if (code != StatusCode::Good && code == sensor->code) {
+            updateCause(*sensor, reading, change);
         }
     }
     return change;
@@ -84,17 +77,18 @@ void AlarmBoard::updateSensor(Sensor &sensor, const Reading &reading, Change &ch
     alarm.code = code;
     alarm.title = sensorTitle(config, line.config);
     alarm.place = config.place;
-    alarm.lineFaults = lineFaultsOf(reading);
+    alarm.type = config.type;
+    alarm.cause = causeText(reading);
     alarm.began = reading.time;
     raise(std::move(alarm), sensor.alarm, change);
 }
 
-void AlarmBoard::updateLineFaults(const Sensor &sensor, const Reading &reading, Change &change)
+void AlarmBoard::updateCause(const Sensor &sensor, const Reading &reading, Change &change)
 {
     const auto standing = m_standing.find(sensor.alarm);
-    const QString faults = lineFaultsOf(reading);
-    if (standing != m_standing.end() && standing->second.lineFaults != faults) {
-        standing->second.lineFaults = faults;
+    const QString cause = causeText(reading);
+    if (standing != m_standing.end() && standing->second.cause != cause) {
+        standing->second.cause = cause;
         change.isAny = true;
     }
 }

@@ -57,7 +57,7 @@ private:
     };
 
     void updateSensor(Sensor &sensor, const Reading &reading, Change &change);
-    void updateLineFaults(const Sensor &sensor, const Reading &reading, Change &change);
+    void updateCause(const Sensor &sensor, const Reading &reading, Change &change);
     void raise(Alarm alarm, quint64 &slot, Change &change);
     void end(quint64 &slot, Change &change);
     void endSensorsOf(const Line &line, Change &change);

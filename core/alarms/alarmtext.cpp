@@ -51,8 +51,8 @@ QString meaning(const Alarm &alarm)
 {
     return alarm.isWholePort()
         ? AlarmText::tr("%1; sensors without data: %2").arg(portMeaning(alarm)).arg(alarm.sensors)
-        : alarm.lineFaults.isEmpty() ? statusText(alarm.code)
-                                     : alarm.lineFaults;
+        : alarm.cause.isEmpty() ? statusText(alarm.code)
+                                : alarm.cause;
 }
 
 QString advice(const Alarm &alarm)
@@ -66,7 +66,11 @@ QString advice(const Alarm &alarm)
         return AlarmText::tr("Check the terminating resistor and the cable for interference, and that no two sensors "
                              "have the same address.");
     case StatusCode::TransducerSilent:
-        if (!alarm.lineFaults.isEmpty()) {
+        if (alarm.type == SensorType::Mk14) {
+            return AlarmText::tr(
+                "Check the power supply of the weather station: none of its values is good without it.");
+        }
+        if (alarm.type == SensorType::LVims) {
             return AlarmText::tr(
                 "Check the cable and the connectors from the module to the sensors of these channels. A "
                 "channel without a sensor can be switched off in the settings of the module.");

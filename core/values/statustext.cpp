@@ -34,12 +34,21 @@ QString statusText(StatusCode code)
     return StatusText::tr("Unknown error");
 }
 
+QString causeText(const Reading &reading)
+{
+    if (statusCode(reading.status) != StatusCode::TransducerSilent) {
+        return {};
+    }
+    if (reading.weather) {
+        return StatusText::tr("Bad supply voltage");
+    }
+    return reading.vibration ? vibrationtext::lineFaults(*reading.vibration) : QString();
+}
+
 QString statusText(const Reading &reading)
 {
-    const StatusCode code = statusCode(reading.status);
-    const bool isOfLines = code == StatusCode::TransducerSilent && reading.vibration;
-    const QString faults = isOfLines ? vibrationtext::lineFaults(*reading.vibration) : QString();
-    return faults.isEmpty() ? statusText(code) : faults;
+    const QString cause = causeText(reading);
+    return cause.isEmpty() ? statusText(statusCode(reading.status)) : cause;
 }
 
 QString sensorTitle(const SensorConfig &sensor, const LineConfig &line)

@@ -72,6 +72,18 @@ private Q_SLOTS:
         QVERIFY(board.unacknowledged().isEmpty());
     }
 
+    /// spec/gorizont.md, section 5: code 5 of a weather station is about the supply of its sensors.
+    void theSupplyOfAWeatherStation()
+    {
+        AlarmBoard board = openBoard();
+        Reading reading = turn(1, 0x5700, true, 5);
+        reading.weather = Weather();
+        board.update({reading});
+        QCOMPARE(
+            alarmtext::meaning(board.unacknowledged().first()),
+            QStringLiteral("The supply voltage of the station's sensors is bad"));
+    }
+
     /// Manual 000, section 11.2: all codes but 0 ask for a message; 1 and 2 are those of the port.
     void everyCodeOfASensorIsAMessage_data()
     {
