@@ -46,9 +46,10 @@ void showStationFiles(WeatherPage &page, const SensorRegistry &registry)
         if (sensor.config.type != SensorType::Mk14 || !device.startsWith(scheme, Qt::CaseInsensitive)) {
             continue;
         }
+        const station::StationReading reading = station::readStationIn(device.sliced(scheme.size()));
         QList<StationFileComplaint> complaints;
-        for (const station::StationComplaint &one : station::readStationIn(device.sliced(scheme.size())).complaints) {
-            complaints += {one.file, one.line, one.field, one.fieldName, one.problem, one.action};
+        for (const station::StationComplaint &one : reading.complaints) {
+            complaints += StationFileComplaint{one.file, one.line, one.field, one.fieldName, one.problem, one.action};
         }
         page.setFileComplaints(sensor.config.number, complaints);
     }

@@ -81,7 +81,7 @@ public:
         });
         promise->future().waitForFinished();
     }
-    template <typename Look> auto look(Look look) { return bench.device<mk14::Simulator>(0, look); }
+    template <typename Seen> auto look(Seen seen) { return bench.device<mk14::Simulator>(0, seen); }
 
     /// The requests to \a address since forgetSent() with the command \a command.
     int sent(int address, int command) const

@@ -133,6 +133,7 @@ private Q_SLOTS:
             QVERIFY2(!Mk14OutputsPanel::typedWord(bad), qPrintable(bad));
         }
         open(one, one);
+        m->find<QTabWidget>("mk14Tabs")->setCurrentIndex(1);
         auto *number = m->find<QLineEdit>("outputWord");
         number->selectAll();
         QTest::keyClicks(number, u"0x12"_s);

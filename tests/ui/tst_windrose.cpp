@@ -1,3 +1,4 @@
+#include "tests/ui/contrast.h"
 #include "tests/ui/weathersite.h"
 #include "translations/translation.h"
 #include "ui/models/weathertext.h"
@@ -43,6 +44,8 @@ private Q_SLOTS:
     void rimIsRound_data();
     void rimIsRound();
     void classNames();
+    void strongerWindsStandOutMore_data();
+    void strongerWindsStandOutMore();
 };
 
 void TestWindRose::rumbs_data()
@@ -287,6 +290,27 @@ void TestWindRose::classNames()
 {
     QCOMPARE(WindRoseView::className(0), u"0.5 – 2 м/с"_s);
     QCOMPARE(WindRoseView::className(5), u"от 15 м/с"_s);
+}
+
+void TestWindRose::strongerWindsStandOutMore_data()
+{
+    QTest::addColumn<QColor>("background");
+    QTest::addColumn<bool>("isDark");
+    QTest::newRow("light") << QColor(255, 255, 255) << false;
+    QTest::newRow("dark") << QColor(30, 30, 34) << true;
+}
+
+void TestWindRose::strongerWindsStandOutMore()
+{
+    QFETCH(const QColor, background);
+    QFETCH(const bool, isDark);
+    double before = 1.3;
+    for (int speedClass = 0; speedClass < windrose::classCount; ++speedClass) {
+        const double now = test::contrast(WindRoseView::classColour(speedClass, isDark), background);
+        QVERIFY2(now > before, qPrintable(u"%1: %2 after %3"_s.arg(speedClass).arg(now).arg(before)));
+        before = 1.1 * now;
+    }
+    QVERIFY(before > 4.5);
 }
 
 QTEST_MAIN(TestWindRose)

@@ -88,7 +88,9 @@ inline Reading weatherReading(int number, const Weather &weather, SteadyTime now
     reading.weather = weather;
     const WeatherParameter *temperature = weather.find(weathercode::temperature);
     reading.temperature = temperature ? temperature->mean : std::nullopt;
-    reading.status |= reading.temperature ? 0 : statusbit::TemperatureInvalid;
+    if (!reading.temperature) {
+        reading.status |= statusbit::TemperatureInvalid;
+    }
     return reading;
 }
 

@@ -64,11 +64,9 @@ WindRoseView::Place WindRoseView::place() const
     return at;
 }
 
-/// One hue, further from the background with every class.
-QColor WindRoseView::colourOf(int speedClass) const
+QColor WindRoseView::classColour(int speedClass, bool isDark)
 {
     const double step = double(speedClass) / (windrose::classCount - 1);
-    const bool isDark = colours::isDark(palette());
     const double saturation = isDark ? 0.75 - 0.55 * step : 0.30 + 0.65 * step;
     const double value = isDark ? 0.45 + 0.55 * step : 0.95 - 0.55 * step;
     return QColor::fromHsvF(0.57F, static_cast<float>(saturation), static_cast<float>(value));
@@ -144,7 +142,7 @@ void WindRoseView::paintPetals(QPainter &painter, const Place &at, double rim) c
                 m_counts.cells[static_cast<std::size_t>(sector)][static_cast<std::size_t>(speedClass)];
             if (count > 0) {
                 const double width = windrose::sectorWidth * (0.35 + 0.1 * speedClass);
-                painter.setBrush(colourOf(speedClass));
+                painter.setBrush(classColour(speedClass, colours::isDark(palette())));
                 painter.drawPath(
                     ringPart(at.centre, radius(below), radius(below + count), sector * windrose::sectorWidth, width));
             }
@@ -220,7 +218,7 @@ void WindRoseView::paintLegend(QPainter &painter) const
         // As wide as the parts of the petals are beside each other.
         const double width = box * (0.35 + 0.1 * speedClass) / 0.85;
         painter.setPen(QPen(colours::mutedText(palette()), 0.5));
-        painter.setBrush(colourOf(speedClass));
+        painter.setBrush(classColour(speedClass, colours::isDark(palette())));
         painter.drawRect(QRectF(left + (box - width) / 2, top + 2, width, box));
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(

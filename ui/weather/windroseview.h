@@ -39,6 +39,9 @@ public:
     /// How a class of speed is called: `2 – 4 m/s`.
     static QString className(int speedClass);
 
+    /// One hue, further from a light or a dark background with every class.
+    static QColor classColour(int speedClass, bool isDark);
+
     QSize sizeHint() const override { return {460, 360}; }
 
 protected:
@@ -53,7 +56,6 @@ private:
     };
     Place place() const;
     int legendWidth() const;
-    QColor colourOf(int speedClass) const;
     QString description(const QString &span) const;
     void paintCompass(QPainter &painter, const Place &at, double rim) const;
     void paintPetals(QPainter &painter, const Place &at, double rim) const;
