@@ -106,6 +106,10 @@
         <source>Check the cable and the connectors from the module to the sensors of these channels. A channel without a sensor can be switched off in the settings of the module.</source>
         <translation>Проверьте кабель и разъёмы от модуля до датчиков этих каналов. Канал без датчика можно отключить в настройках модуля.</translation>
     </message>
+    <message>
+        <source>Check the power supply of the weather station: none of its values is good without it.</source>
+        <translation>Проверьте питание метеостанции: без него все её значения негодны.</translation>
+    </message>
 </context>
 <context>
     <name>And3Driver</name>
@@ -3492,10 +3496,6 @@ Acceleration, mm/s² = sample × scale.</source>
     <message>
         <source>fault, warning or stop of a measurement</source>
         <translation>неисправность, предупреждение или останов по измерению</translation>
-    </message>
-    <message>
-        <source>The supply voltage of the station&apos;s sensors is bad</source>
-        <translation>Напряжение питания датчиков станции не в норме</translation>
     </message>
 </context>
 <context>
@@ -7846,6 +7846,10 @@ SIGHUP — перечитать файлы станции, SIGINT и SIGTERM —
     <message>
         <source>Unknown error</source>
         <translation>Неизвестная ошибка</translation>
+    </message>
+    <message>
+        <source>The supply voltage of the station&apos;s sensors is bad</source>
+        <translation>Напряжение питания датчиков станции не в норме</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "app/server/application.h"
 #include "app/server/demosite.h"
+#include "app/server/opcservice.h"
 #include "app/server/singleinstance.h"
 #include "app/server/startup.h"
 #include "app/server/windowpages.h"

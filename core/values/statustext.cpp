@@ -40,7 +40,7 @@ QString causeText(const Reading &reading)
         return {};
     }
     if (reading.weather) {
-        return StatusText::tr("Bad supply voltage");
+        return StatusText::tr("The supply voltage of the station's sensors is bad");
     }
     return reading.vibration ? vibrationtext::lineFaults(*reading.vibration) : QString();
 }

@@ -89,10 +89,6 @@ QString sensor(const SensorRegistry::Sensor &sensor, LineState line)
     if (status & statusbit::NotPolled) {
         return State::tr("Polling is off");
     }
-    const bool isStation = sensor.config.type == SensorType::Mk14;
-    if (isStation && line != LineState::Service && statusCode(status) == StatusCode::TransducerSilent) {
-        return State::tr("The supply voltage of the station's sensors is bad");
-    }
     switch (sensorHealth(sensor, line)) {
     case Health::Service: return State::tr("Service mode, polling is suspended");
     case Health::Unknown: return State::tr("Waiting for the first answer");
