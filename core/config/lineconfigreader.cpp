@@ -47,6 +47,9 @@ QString deviceProblem(const QString &device)
 void readPlace(SectionReader &section, LineConfig &line)
 {
     section.take(u"Device"_s, line.device);
+    if (!line.device.isEmpty()) {
+        line.com = line.index; // without Num it is only a name, which no two ports should share
+    }
     const bool isNumGood = section.take(u"Num"_s, line.com, {1}, portIsOff());
     const QString problem = deviceProblem(line.device);
     if (!problem.isEmpty()) {

@@ -13,8 +13,10 @@ struct StationComplaint
     int field = 0; ///< 1…, the place in the line; 0: about the whole line
     QString fieldName; ///< in the language of the user; empty: about the whole line
     QString problem; ///< one sentence: what is wrong
-    QString action; ///< one sentence: what was done
+    QString action; ///< one sentence: what was done; empty: nothing had to be
 
+    /// Worth knowing, but nothing is wrong.
+    bool isRemark() const { return action.isEmpty(); }
     /// All of it in one line for the journal: `ACK.PAR, line 3, field 9 (left limit): … …`
     QString text() const;
     bool operator==(const StationComplaint &) const = default;

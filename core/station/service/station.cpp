@@ -102,7 +102,7 @@ void Station::apply(StationPlan plan)
     const bool isFirst = !m_measuring;
     Q_EMIT protocolAllowed(!plan.config.settings.isProtocolOff);
     for (const StationComplaint &complaint : plan.complaints) {
-        tell(JournalKind::Error, complaint.text());
+        tell(complaint.isRemark() ? JournalKind::Info : JournalKind::Error, complaint.text());
     }
     const bool isSame = !isFirst && plan.config == m_plan.config && plan.sources == m_plan.sources;
     m_plan = std::move(plan);
