@@ -3960,6 +3960,10 @@ Acceleration, mm/s² = sample × scale.</source>
         <source>Its input is not used.</source>
         <translation>Его вход не используется.</translation>
     </message>
+    <message>
+        <source>Nothing is measured.</source>
+        <translation>Ничего не измеряется.</translation>
+    </message>
 </context>
 <context>
     <name>StatusBits</name>

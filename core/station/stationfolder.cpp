@@ -37,7 +37,8 @@ StationFiles readStationFolder(const QString &folder, QList<StationComplaint> &c
     StationFiles files;
     const QDir directory(folder);
     if (!directory.exists()) {
-        complaints.append({folder, 0, 0, {}, Station::tr("The folder does not exist."), {}});
+        complaints.append(
+            {folder, 0, 0, {}, Station::tr("The folder does not exist."), Station::tr("Nothing is measured.")});
         return files;
     }
     const QStringList names = directory.entryList(QDir::Files | QDir::Hidden, QDir::Name);

@@ -313,7 +313,7 @@ private Q_SLOTS:
     void noFolder()
     {
         const StationReading reading = readStationIn(QStringLiteral("/does/not/exist"));
-        QCOMPARE(reading.complaints.first().text(), QStringLiteral("/does/not/exist: The folder does not exist."));
+        QCOMPARE(reading.complaints.first().text(), QStringLiteral("/does/not/exist: The folder does not exist. Nothing is measured."));
     }
 };
 
