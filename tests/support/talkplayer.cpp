@@ -81,7 +81,8 @@ QString spelled(const Vibration &vibration, int channel, int index, const QStrin
 {
     for (const VibrationMeasurement &measurement : vibration.channels.value(channel).measurements) {
         if (measurement.index == index) {
-            return QStringLiteral("%1 %2").arg(QString::number(measurement.type), spelled(measurement.value, expected));
+            return QStringLiteral("%1 %2").arg(
+                QString::number(measurement.type), spelledNumber(measurement.value, expected));
         }
     }
     return QStringLiteral("none");

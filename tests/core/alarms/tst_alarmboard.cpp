@@ -27,9 +27,12 @@ QStringList listed(const AlarmBoard &board)
     return listed(board.unacknowledged());
 }
 
-AlarmBoard openBoard()
+/// \a type: of N 1.
+AlarmBoard openBoard(SensorType type = SensorType::InD)
 {
-    AlarmBoard board(test::alarmLines());
+    QList<LineConfig> lines = test::alarmLines();
+    lines.first().sensors.first().type = type;
+    AlarmBoard board(lines);
     for (const int port : {1, 2, 4}) {
         board.updateLine(port, LineState::Open, second(0));
     }
@@ -46,7 +49,7 @@ private Q_SLOTS:
     /// spec/gorizont.md, section 5: what the dispatcher reads when no sensor of a vibration module works.
     void theLinesOfAVibrationModule()
     {
-        AlarmBoard board = openBoard();
+        AlarmBoard board = openBoard(SensorType::LVims);
         Reading reading = turn(1, 0x5700, true, 5);
         reading.vibration = Vibration{
             {{0, ChannelState::ShortCircuit, true, {}},
@@ -75,13 +78,15 @@ private Q_SLOTS:
     /// spec/gorizont.md, section 5: code 5 of a weather station is about the supply of its sensors.
     void theSupplyOfAWeatherStation()
     {
-        AlarmBoard board = openBoard();
+        AlarmBoard board = openBoard(SensorType::Mk14);
         Reading reading = turn(1, 0x5700, true, 5);
         reading.weather = Weather();
         board.update({reading});
         QCOMPARE(
             alarmtext::meaning(board.unacknowledged().first()),
             QStringLiteral("The supply voltage of the station's sensors is bad"));
+        QVERIFY(alarmtext::advice(board.unacknowledged().first())
+                    .startsWith(QStringLiteral("Check the power supply of the weather station")));
     }
 
     /// Manual 000, section 11.2: all codes but 0 ask for a message; 1 and 2 are those of the port.
