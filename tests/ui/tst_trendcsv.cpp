@@ -97,13 +97,14 @@ private Q_SLOTS:
     {
         QSettings settings(m_folder.filePath(QStringLiteral("b.ini")), QSettings::IniFormat);
         settings.setValue(QStringLiteral("x/size"), 1);
-        settings.setValue(QStringLiteral("x/1/curves"), QStringLiteral("12:1 12 :: 5:99 a:b 7:0 8:14 7:16 7:17"));
+        settings.setValue(QStringLiteral("x/1/curves"), QStringLiteral("12:1 12 :: 5:99 a:b 7:0 8:14 7:16 4:21 4:22"));
         settings.setValue(QStringLiteral("x/1/seconds"), QStringLiteral("-5"));
         const QList<TrendLayout> read = readTrendLayouts(settings, QStringLiteral("x"));
         QCOMPARE(read.size(), 1);
         QCOMPARE(
             read.first().curves,
-            (QList<SeriesKey>{{12, Quantity::TiltX}, {8, Quantity::SampleY}, {7, Quantity::DisplacementY}}));
+            (QList<SeriesKey>{
+                {12, Quantity::TiltX}, {8, Quantity::SampleY}, {7, Quantity::DisplacementY}, {4, Quantity::Humidity}}));
         QCOMPARE(read.first().span, std::chrono::seconds(3600));
     }
 
