@@ -296,7 +296,7 @@ class TheProgram(unittest.TestCase):
 class MainProgram(unittest.TestCase):
     """gorizont-server polls the station with its ordinary driver: over TCP, and as a station of its own process."""
 
-    def poll(self, device, folder):
+    def poll(self, device, folder, has_records=lambda: True):
         ini = folder / "GorizontServer.ini"
         ini.write_text(
             f"[Common]\nNumOfPorts=1\nCanModbus=0\nCanADC24=0\n[Port1]\nOn=1\nDevice={device}\nNumOfSensors=1\n"
@@ -305,6 +305,7 @@ class MainProgram(unittest.TestCase):
         try:
             server.wait_until(
                 lambda: any(re.search(r'"code":"M"[^}]*"mean":[3-8]\.', line) for line in server.lines), 60, "the wind")
+            server.wait_until(has_records, 20, "records of a period")
         finally:
             code = server.stop()
         self.assertEqual(code, 0, server.errors[-5:])
@@ -316,8 +317,7 @@ class MainProgram(unittest.TestCase):
 
     def test_in_the_same_process(self):
         with StationFolder() as station:
-            self.poll("station:station", station.folder)
-            self.assertEqual(len(list(station.config.glob("????_??_obj001.txt"))), 1)
+            self.poll("station:station", station.folder, lambda: list(station.config.glob("????_??_obj001.txt")))
 
 
 if __name__ == "__main__":
