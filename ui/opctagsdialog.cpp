@@ -67,9 +67,13 @@ QWidget *OpcTagsDialog::makeTable()
     table->setModel(m_found);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setWordWrap(false);
-    table->verticalHeader()->hide();
-    table->horizontalHeader()->setStretchLastSection(true);
     const QFontMetrics metrics = table->fontMetrics();
+    table->setShowGrid(false);
+    table->setAlternatingRowColors(true);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(metrics.height() + 4);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->horizontalHeader()->setStretchLastSection(true);
     table->setColumnWidth(
         0, metrics.horizontalAdvance(QStringLiteral("[COM16].Sensor_001[USMISN][Addr:002].STATE.ReadyAngl_")));
     table->setColumnWidth(1, metrics.horizontalAdvance(QStringLiteral("double___")));

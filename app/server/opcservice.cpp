@@ -15,6 +15,9 @@ OpcService::OpcService(const Site &site)
     connect(&m_setup, &OpcSetup::done, this, &OpcService::firstRunDone);
     if (site.ownsDataFolder) {
         connect(feed, &OpcFeed::listening, &m_setup, &OpcSetup::run);
+        connect(feed, &OpcFeed::otherListRegistered, &m_setup, [this, port = site.config.opc.port] {
+            m_setup.renew(port);
+        });
     }
     feed->updateReadings(site.registry.readings());
     for (const LineStatus &status : site.registry.lineStatuses()) {

@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QSaveFile>
 
+#include <utility>
+
 namespace gorizont {
 
 OpcSetup::OpcSetup(const QString &folder, const QList<OpcTag> &tags, QObject *parent)
@@ -45,6 +47,14 @@ void OpcSetup::run(int port)
     }
     const auto finished = [this, port](const QString &problem) { finish(port, problem); };
     registerGateway(registrationArguments(port, opcTagsHash(m_tags), file("tags.jsonl")), this, finished);
+}
+
+void OpcSetup::renew(int port)
+{
+    if (canRegisterGateways() && !std::exchange(m_hasRenewed, true)) {
+        QFile::remove(file("registered"));
+        run(port);
+    }
 }
 
 bool OpcSetup::writeFiles()

@@ -19,6 +19,9 @@ public:
 
     /// Does nothing when it was done for this list and this port before.
     void run(int port);
+    /// A gateway said that it was registered with another list, or with none, such as after its installer: where there is Windows,
+    /// it is registered again, once in a run of the program.
+    void renew(int port);
 
     QString listFile() const; ///< name, type and description, for people
 
@@ -37,7 +40,8 @@ private:
 
     const QString m_folder;
     const QList<OpcTag> m_tags;
-    QStringList m_told; ///< in this run
+    QStringList m_told; ///< by the last run()
+    bool m_hasRenewed = false;
 };
 
 } // namespace gorizont

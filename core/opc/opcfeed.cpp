@@ -111,8 +111,12 @@ void OpcFeed::admit()
 /// journal, once for each such list.
 void OpcFeed::onGreeted(const opclines::Greeting &greeting)
 {
-    const bool isOld = !greeting.registered.isEmpty() && greeting.registered != opcTagsHash(m_image.tags());
-    if (isOld && std::exchange(m_toldRegistration, greeting.registered) != greeting.registered) {
+    if (greeting.registered == opcTagsHash(m_image.tags())) {
+        return;
+    }
+    Q_EMIT otherListRegistered();
+    if (!greeting.registered.isEmpty()
+        && std::exchange(m_toldRegistration, greeting.registered) != greeting.registered) {
         tell(JournalKind::Error, opcsentences::oldRegistration());
     }
 }

@@ -52,6 +52,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     void journal(const gorizont::JournalEntry &entry);
     void listening(quint16 port);
+    /// A gateway came that was registered with another list of tags, or with none.
+    void otherListRegistered();
     /// Once a second while somebody is connected, and once after the last one left.
     void clientsChanged(const QList<gorizont::ClientInfo> &clients);
 

@@ -86,6 +86,19 @@ private Q_SLOTS:
         QVERIFY2(told.first().contains(u"the list of tags is new"), qPrintable(told.first()));
     }
 
+    /// Where nothing can be registered, a gateway with another list is no reason to do anything.
+    void renewsOnlyWhereItCan()
+    {
+        const QTemporaryDir folder;
+        run(folder.path(), opcTags(opcSite().lines), 43212);
+        OpcSetup setup(folder.path(), opcTags(opcSite().lines));
+        int messages = 0;
+        connect(&setup, &OpcSetup::done, &setup, [&messages] { ++messages; });
+        setup.renew(43212);
+        QCOMPARE(messages, canRegisterGateways() ? 1 : 0);
+        QCOMPARE(QFile::exists(folder.filePath(u"OPC/registered"_s)), !canRegisterGateways());
+    }
+
     /// The words that the gateway understands.
     void argumentsOfTheRegistration()
     {

@@ -442,15 +442,19 @@ void TestOpcFeed::oldRegistrationIsToldOnce()
         client.socket().abort();
         QTRY_VERIFY_WITH_TIMEOUT(listener.clients.isEmpty(), patience);
     };
+    int others = 0;
+    connect(&feed, &OpcFeed::otherListRegistered, this, [&others] { ++others; });
     const auto count = [&listener] { return listener.told.filter(u"another list of tags"_s).size(); };
     greet(opcTagsHash(feed.tags()));
     greet("");
     QCOMPARE(count(), 0);
+    QCOMPARE(others, 1); // none is another one
     greet(QByteArray(64, 'a'));
     greet(QByteArray(64, 'a'));
     QCOMPARE(count(), 1);
     greet(QByteArray(64, 'b'));
     QCOMPARE(count(), 2);
+    QCOMPARE(others, 4);
 }
 
 void TestOpcFeed::saysGoodbye()
