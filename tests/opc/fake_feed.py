@@ -1,4 +1,5 @@
 """The main program's side of the OPC feed (protocol 1), with values that a test sets: no line of it comes from the program."""
+import contextlib
 import hashlib
 import json
 import socket
@@ -76,7 +77,8 @@ class FakeFeed:
         self.listener.close()
         with self.lock:
             for client in self.clients:
-                client.shutdown(socket.SHUT_RDWR)
+                with contextlib.suppress(OSError):  # a gateway that has ended
+                    client.shutdown(socket.SHUT_RDWR)
                 client.close()
             self.clients.clear()
 
@@ -135,6 +137,7 @@ class FakeFeed:
                     client.sendall(data)
                 except OSError:
                     self.clients.remove(client)
+                    client.close()
 
 
 def as_bytes(lines):

@@ -4,11 +4,15 @@
 """
 import difflib
 import json
+import re
 import sys
 
 import opc_case
 from fake_feed import GOOD, FakeFeed
 from opc_case import GATEWAY
+
+OTHERS = "{11111111-2222-3333-4444-555555555555}"
+PROXY = "{3F6A91D8-04B2-4E5C-A7C9-60D1E8B25F43}"
 
 
 class FedCase(opc_case.OpcCase):
@@ -59,7 +63,8 @@ class GatewayTest(FedCase):
         lines = self.converse("hold").finish(60)
         self.assertIn("ok hold.told", lines)
         self.assertNotIn("end 0", lines)
-        self.try_out("survivor")
+        # What the killed client still held keeps neither the gateway from serving nor from ending.
+        self.try_out("survivor", "ending")
 
     def test_5_outage(self):
         self.try_out("outage")
@@ -86,6 +91,22 @@ class GatewayTest(FedCase):
         self.assertEqual(self.prefix.run(GATEWAY, "/UnregServer", "/PerUser"), 0)
         self.assert_registry_as_before()
         self.assertNotEqual(self.prefix.run(GATEWAY, "/Nonsense"), 0)
+
+    def test_9_registry_keeps_the_proxy_of_others(self):
+        key = "HKLM\\Software\\Classes\\Interface\\{39C13A4D-011E-11D0-9675-0020AFD8ADB3}"  # IOPCServer
+        for view in ("/reg:64", "/reg:32"):
+            self.prefix.run("reg", "add", key + "\\ProxyStubClsid32", "/ve", "/d", OTHERS, "/f", view)
+        before = self.prefix.registry()
+        for scope in ((), ("/PerUser",)):
+            self.assertEqual(self.prefix.run(GATEWAY, "/RegServer", *scope), 0)
+            self.assertEqual(self.proxies("39C13A4D"), {OTHERS})
+            self.assertEqual(self.proxies("39C13A4F"), {PROXY})
+            self.assertEqual(self.prefix.run(GATEWAY, "/UnregServer", *scope), 0)
+            self.assertEqual(self.prefix.registry(), before)
+
+    def proxies(self, interface):
+        pattern = rf'\\Interface\\{{{interface}[^\]]*\\ProxyStubClsid32\]\n@="([^"]*)"'
+        return set(re.findall(pattern, self.prefix.registry(), re.IGNORECASE))
 
 
 class Bench(FedCase):

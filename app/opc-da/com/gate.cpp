@@ -47,7 +47,7 @@ void Gate::closeAbandoned()
 {
     for (const auto &session : openSessions()) {
         if (session->isAbandoned())
-            session->close();
+            session->abandon();
     }
 }
 

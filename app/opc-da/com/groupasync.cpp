@@ -25,8 +25,8 @@ HRESULT Group::Read(DWORD count, OPCHANDLE *items, DWORD transaction, DWORD *can
         return result;
     const HRESULT queued = locked([&]() -> HRESULT {
         *cancelId = m_session->gate().nextHandle();
-        m_session->enqueue(Session::Reading{ComPtr<Group>(this), transaction, *cancelId, false, std::move(wanted)});
-        return S_OK;
+        return m_session->enqueue(
+            Session::Reading{ComPtr<Group>(this), transaction, *cancelId, false, std::move(wanted)});
     });
     if (FAILED(queued)) {
         CoTaskMemFree(*errors);
@@ -78,8 +78,8 @@ HRESULT Group::refresh(DWORD transaction, DWORD *cancelId)
         if (!m_settings.isActive || active.empty())
             return E_FAIL;
         *cancelId = m_session->gate().nextHandle();
-        m_session->enqueue(Session::Reading{ComPtr<Group>(this), transaction, *cancelId, true, std::move(active)});
-        return S_OK;
+        return m_session->enqueue(
+            Session::Reading{ComPtr<Group>(this), transaction, *cancelId, true, std::move(active)});
     });
 }
 

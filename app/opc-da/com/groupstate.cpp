@@ -64,8 +64,8 @@ HRESULT Group::CloneGroup(LPCWSTR name, REFIID wanted, IUnknown **clone)
 {
     if (!cleared(clone))
         return E_INVALIDARG;
-    ComPtr<Group> copy;
-    const HRESULT result = locked([&]() -> HRESULT {
+    ComPtr<Group> copy; // goes after the lock when it is not wanted
+    return locked([&]() -> HRESULT {
         GroupSettings settings = m_settings;
         settings.name = textOf(name);
         settings.isActive = false; // the specification wants a clone to begin inactive
@@ -79,16 +79,10 @@ HRESULT Group::CloneGroup(LPCWSTR name, REFIID wanted, IUnknown **clone)
             twin.sent.reset();
         }
         copy = made<Group>(m_session, std::move(settings), std::move(items));
-        return S_OK;
-    });
-    if (FAILED(result))
-        return result;
-    const HRESULT found = copy->QueryInterface(wanted, reinterpret_cast<void **>(clone));
-    if (FAILED(found))
+        const HRESULT found = copy->QueryInterface(wanted, reinterpret_cast<void **>(clone));
+        if (SUCCEEDED(found))
+            m_session->groups.emplace(copy->handle(), copy);
         return found;
-    return locked([&]() -> HRESULT {
-        m_session->groups.emplace(copy->handle(), copy);
-        return S_OK;
     });
 }
 

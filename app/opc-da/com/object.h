@@ -40,6 +40,18 @@ public:
 protected:
     virtual ~Object() = default;
 
+    /// A reference for whoever knows the object without holding it; null when it is being deleted already.
+    ComPtr<IUnknown> held()
+    {
+        ComPtr<IUnknown> self;
+        ULONG known = m_references;
+        while (known > 0 && !m_references.compare_exchange_weak(known, known + 1)) {
+        }
+        if (known > 0)
+            *self.GetAddressOf() = static_cast<First *>(this);
+        return self;
+    }
+
     /// The interface of this object that another of its interfaces derives from; null when it has no such one.
     virtual void *inherited(REFIID) { return nullptr; }
     ULONG references() const { return m_references; }
@@ -58,7 +70,7 @@ private:
 template <class Made, class... Arguments> ComPtr<Made> made(Arguments &&...arguments)
 {
     ComPtr<Made> object;
-    object.Attach(new Made(std::forward<Arguments>(arguments)...));
+    *object.GetAddressOf() = new Made(std::forward<Arguments>(arguments)...); // Attach() of mingw-w64 would add a reference
     return object;
 }
 

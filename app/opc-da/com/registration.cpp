@@ -97,14 +97,16 @@ void writeClass(RegistryKeys &keys)
     }
 }
 
-/// A proxy that is there already is left alone: it may be the one of the OPC Core Components.
-void writeProxy(RegistryKeys &keys, const std::wstring &proxy)
+/// A proxy that is there already is left alone: it may be the one of the OPC Core Components. What is registered for a user
+/// hides what is registered for the machine, so both are looked at.
+void writeProxy(RegistryKeys &keys, const RegistryKeys &machine, const std::wstring &proxy)
 {
     if (!std::filesystem::exists(proxy))
         return;
     for (const InterfaceName &entry : Interfaces) {
         const std::wstring key = interfaceKey(*entry.id);
-        const std::wstring present = keys.text(key + L"\\ProxyStubClsid32", nullptr);
+        const std::wstring mine = keys.text(key + L"\\ProxyStubClsid32", nullptr);
+        const std::wstring present = mine.empty() ? machine.text(key + L"\\ProxyStubClsid32", nullptr) : mine;
         if (!present.empty() && _wcsicmp(present.c_str(), ProxyClsidText) != 0)
             continue;
         if (!keys.exists(key))
@@ -145,7 +147,7 @@ LONG registerServer(Scope scope, const CommandLine &line)
         RegistryKeys keys(rootOf(scope), view.flag);
         std::vector<std::wstring> noted = keys.list(SettingsKey, L"Created");
         writeClass(keys);
-        writeProxy(keys, besideProgram(view.proxy));
+        writeProxy(keys, RegistryKeys(HKEY_LOCAL_MACHINE, view.flag), besideProgram(view.proxy));
         keys.setList(SettingsKey, L"Created", noted); // its own key is to be in the list too
         writeSettings(keys, line);
         noted.insert(noted.end(), keys.created().begin(), keys.created().end());

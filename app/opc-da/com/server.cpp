@@ -25,6 +25,7 @@ Server::Server(Gate &gate)
     , m_shutdown(gate, this)
 {
     m_session->shutdownSink = [this] { return m_shutdown.sink(); };
+    m_session->serverObject = [this] { return held(); };
     gate.enter(m_session);
 }
 
@@ -49,21 +50,16 @@ HRESULT Server::AddGroup(
     settings.timeBias = timeBias ? *timeBias : machineTimeBias();
     settings.deadband = deadband ? *deadband : 0;
     settings.locale = locale;
-    ComPtr<Group> added;
-    const HRESULT result = locked([&]() -> HRESULT {
+    ComPtr<Group> added; // goes after the lock when it is not wanted
+    return locked([&]() -> HRESULT {
         if (settings.name.empty())
             settings.name = m_session->freeName();
         else if (m_session->groupByName(settings.name))
             return OpcDuplicateName;
         added = made<Group>(m_session, std::move(settings));
-        return S_OK;
-    });
-    if (FAILED(result))
-        return result;
-    const HRESULT found = added->QueryInterface(wanted, reinterpret_cast<void **>(group));
-    if (FAILED(found))
-        return found;
-    return locked([&]() -> HRESULT {
+        const HRESULT found = added->QueryInterface(wanted, reinterpret_cast<void **>(group));
+        if (FAILED(found))
+            return found;
         *handle = added->handle();
         m_session->groups.emplace(added->handle(), added);
         return rate == *revised ? S_OK : OpcUnsupportedRate;

@@ -69,6 +69,8 @@ private:
 
     template <class Work> HRESULT locked(Work work)
     {
+        if (!m_session->knowsCaller())
+            m_session->noteCaller();
         return m_session->gate().locked([&]() -> HRESULT { return m_session->isClosed() ? E_FAIL : work(); });
     }
     TagBook &book() const { return m_session->gate().book(); }

@@ -16,6 +16,8 @@ template <class... F> struct Cases : F...
 };
 template <class... F> Cases(F...) -> Cases<F...>;
 
+constexpr std::size_t MostTasks = 1000;
+
 } // namespace
 
 Session::Session(Gate &gate)
@@ -48,10 +50,13 @@ Text Session::freeName() const
     }
 }
 
-void Session::enqueue(Task task)
+HRESULT Session::enqueue(Task task)
 {
+    if (m_tasks.size() >= MostTasks)
+        return E_OUTOFMEMORY;
     m_tasks.push_back(std::move(task));
     wake();
+    return S_OK;
 }
 
 bool Session::cancel(const Group *group, DWORD cancelId)
@@ -96,7 +101,24 @@ void Session::close()
     for (const auto &[handle, group] : left)
         sinks.push_back(group->remove());
     shutdownSink = [] { return ComPtr<IOPCShutdown>(); };
+    serverObject = [] { return ComPtr<IUnknown>(); };
     m_changed.notify_all();
+}
+
+void Session::abandon()
+{
+    std::vector<ComPtr<IUnknown>> left;
+    {
+        const std::scoped_lock lock(m_gate.mutex());
+        left.push_back(serverObject());
+        for (const auto &[handle, group] : groups)
+            left.emplace_back(static_cast<IOPCItemMgt *>(group.Get()));
+    }
+    close();
+    for (const ComPtr<IUnknown> &object : left) {
+        if (object)
+            CoDisconnectObject(object.Get(), 0);
+    }
 }
 
 void Session::noteCaller()
@@ -105,8 +127,10 @@ void Session::noteCaller()
     const std::scoped_lock lock(m_gate.mutex());
     if (process == 0 || m_clients.contains(process))
         return;
-    if (HANDLE handle = OpenProcess(SYNCHRONIZE, FALSE, process))
+    if (HANDLE handle = OpenProcess(SYNCHRONIZE, FALSE, process)) {
         m_clients.emplace(process, handle);
+        m_knowsCaller = true;
+    }
 }
 
 bool Session::isAbandoned()

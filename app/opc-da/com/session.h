@@ -49,12 +49,13 @@ public:
     LCID locale = LOCALE_SYSTEM_DEFAULT;
     Text browsePosition;
     std::function<ComPtr<IOPCShutdown>()> shutdownSink = [] { return ComPtr<IOPCShutdown>(); };
+    std::function<ComPtr<IUnknown>()> serverObject = [] { return ComPtr<IUnknown>(); };
     FILETIME lastUpdate{};
 
     Group *groupByName(TextView name) const;
     Text freeName() const;
-    /// Adds to what the thread is to do, and wakes it. Under the lock.
-    void enqueue(Task task);
+    /// Adds to what the thread is to do, and wakes it; E_OUTOFMEMORY when a client that does not listen has asked too much.
+    HRESULT enqueue(Task task);
     /// Takes a reading that has not begun out of the queue. Under the lock.
     bool cancel(const Group *group, DWORD cancelId);
     /// Something about the groups has changed: the thread looks again. Under the lock.
@@ -64,8 +65,11 @@ public:
     void post(Task task);
     /// Drops the groups and all that the client left behind; calls of it fail from now on.
     void close();
+    /// The same for a client whose process has ended: what it still holds of this process is let go, too.
+    void abandon();
     /// Remembers the process of the client whose call runs now.
     void noteCaller();
+    bool knowsCaller() const { return m_knowsCaller; }
     /// True when processes are known and all of them have ended.
     bool isAbandoned();
 
@@ -80,7 +84,8 @@ private:
     std::condition_variable m_changed;
     std::deque<Task> m_tasks;
     std::map<DWORD, HANDLE> m_clients; ///< processes by id
-    bool m_isClosed = false;
+    std::atomic<bool> m_knowsCaller = false;
+    std::atomic<bool> m_isClosed = false;
     bool m_isRunning = false;
 };
 

@@ -118,11 +118,21 @@ void testAsynchronous(IOPCServer *server)
     Allocated<HRESULT> refused;
     checkResult("async.write", S_FALSE, io->Write(2, handles.data(), values, 46, &cancel, &refused));
     checkResult("async.write.rights", static_cast<HRESULT>(0xC0040006), refused[0]);
+}
 
-    // While the client is busy with one answer, the next one waits and can be cancelled.
+/// While the client is busy with one answer, the next one waits and can be cancelled.
+void testCancelling(IOPCServer *server)
+{
+    const auto group = addGroup(server, L"cancelling", 200);
+    auto handles = addItems(group.items.Get(), {Moved, Flag});
+    const auto io = as<IOPCAsyncIO3>(group.items.Get());
+    Subscription subscription(group.items.Get());
+    Listener *listener = subscription.listener.Get();
+    check("cancel.begun", happens([&] { return listener->count(Call::Change) == 1; }));
     listener->clear();
     listener->slowness = 700;
     DWORD busy = 0;
+    DWORD cancel = 0;
     Allocated<HRESULT> one;
     Allocated<HRESULT> two;
     io->Read(2, handles.data(), 47, &busy, &one);
@@ -135,8 +145,19 @@ void testAsynchronous(IOPCServer *server)
         listener->calls().back().transaction == 48 && listener->count(Call::ReadComplete) == 1);
     checkResult("async.cancel.late", E_FAIL, io->Cancel2(cancel));
     listener->slowness = 0;
+}
 
+void testEnabling(IOPCServer *server)
+{
+    const auto group = addGroup(server, L"enabling", 200);
+    addItems(group.items.Get(), {Moved});
+    const auto io = as<IOPCAsyncIO3>(group.items.Get());
     BOOL isEnabled = FALSE;
+    checkResult("enable.unheard", CONNECT_E_NOCONNECTION, io->SetEnable(TRUE));
+    Subscription subscription(group.items.Get());
+    Listener *listener = subscription.listener.Get();
+    check("enable.begun", happens([&] { return listener->count(Call::Change) == 1; }));
+    DWORD cancel = 0;
     check("enable.default", io->GetEnable(&isEnabled) == S_OK && isEnabled);
     checkResult("enable.off", S_OK, io->SetEnable(FALSE));
     ask("set " + toUtf8(textOf(Moved.c_str())) + " 7");
@@ -147,6 +168,26 @@ void testAsynchronous(IOPCServer *server)
     checkResult("enable.on", S_OK, io->SetEnable(TRUE));
     ask("set " + toUtf8(textOf(Moved.c_str())) + " -3599.5");
     check("enable.change", happens([&] { return hasNumber(listener, 0, -3599.5); }));
+}
+
+/// A client that does not come back from a call holds up nobody but itself.
+void testSlowNeighbour(IOPCServer *server)
+{
+    const auto slow = addGroup(server, L"slow", 50);
+    addItems(slow.items.Get(), {Flag});
+    Subscription sleeper(slow.items.Get());
+    sleeper.listener->slowness = 4000;
+    ask("set " + toUtf8(textOf(Flag.c_str())) + " false");
+    const auto other = connected();
+    const auto group = addGroup(other.Get(), L"quick", 50);
+    addItems(group.items.Get(), {Moved});
+    Subscription quick(group.items.Get());
+    ask("set " + toUtf8(textOf(Moved.c_str())) + " 9.5");
+    check("neighbour.quick", happens([&] { return hasNumber(quick.listener.Get(), 0, 9.5); }, 3));
+    check("neighbour.slow", happens([&] { return hasNumber(sleeper.listener.Get(), 0, 0); }));
+    sleeper.listener->slowness = 0;
+    ask("set " + toUtf8(textOf(Flag.c_str())) + " true");
+    ask("set " + toUtf8(textOf(Moved.c_str())) + " -3599.5");
 }
 
 void testKeepAlive(IOPCServer *server)
@@ -177,6 +218,9 @@ void testCallbacks()
     testSubscription(server.Get());
     testDeadband(server.Get());
     testAsynchronous(server.Get());
+    testCancelling(server.Get());
+    testEnabling(server.Get());
+    testSlowNeighbour(server.Get());
     testKeepAlive(server.Get());
 }
 

@@ -1,5 +1,5 @@
 #include "tests/opc/client/cases.h"
-#include "tests/opc/client/opcclient.h"
+#include "tests/opc/client/listener.h"
 
 #include <algorithm>
 #include <comcat.h>
@@ -111,6 +111,13 @@ void testGroupList(IOPCServer *server)
         "groups.public", S_FALSE,
         server->CreateGroupEnumerator(OPC_ENUM_PUBLIC, __uuidof(IEnumUnknown), list.ReleaseAndGetAddressOf()));
 
+    auto released = addGroup(server, L"освобождённая");
+    {
+        Subscription subscription(released.items.Get());
+        subscription.unadvise();
+    }
+    released.items.Reset();
+    checkResult("group.remove.released", S_OK, server->RemoveGroup(released.handle, FALSE));
     checkResult("group.remove.inuse", static_cast<HRESULT>(0x0004000F), server->RemoveGroup(second.handle, FALSE));
     checkResult("group.remove.gone", static_cast<HRESULT>(0xC0040001), server->RemoveGroup(second.handle, FALSE));
     checkResult("group.remove.forced", S_OK, server->RemoveGroup(first.handle, TRUE));

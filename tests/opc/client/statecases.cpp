@@ -22,6 +22,34 @@ struct State
     }
 };
 
+/// Against a group that was set to 50 ms, a bias of -180 and the client handle 99.
+void testClone(IOPCItemMgt *group)
+{
+    const auto state = as<IOPCGroupStateMgt>(group);
+    DWORD revised = 0;
+    const auto handles = addItems(group, {And3 + L".DATA.Angl_Y", And3 + L".STATE.Restart"}, VT_R4);
+    ComPtr<IUnknown> unknown;
+    checkResult(
+        "clone.taken", static_cast<HRESULT>(0xC004000C),
+        state->CloneGroup(L"другая", __uuidof(IOPCItemMgt), unknown.GetAddressOf()));
+    checkResult("clone", S_OK, state->CloneGroup(L"клон", __uuidof(IOPCItemMgt), unknown.ReleaseAndGetAddressOf()));
+    const auto clone = as<IOPCItemMgt>(unknown.Get());
+    const State copied(as<IOPCGroupStateMgt>(clone.Get()).Get());
+    checkText("clone.name", L"клон", copied.name.get());
+    check("clone.state", copied.rate == 50 && !copied.isActive && copied.client == 99 && copied.bias == -180);
+    ComPtr<IUnknown> list;
+    clone->CreateEnumerator(__uuidof(IEnumOPCItemAttributes), list.GetAddressOf());
+    Allocated<OPCITEMATTRIBUTES> items;
+    ULONG fetched = 0;
+    as<IEnumOPCItemAttributes>(list.Get())->Next(10, &items, &fetched);
+    check("clone.items", fetched == 2 && items[0].vtRequestedDataType == VT_R4 && items[0].hServer != handles[0]);
+    checkNumber("clone.inactive", 0x1C, readItems(clone.Get(), {items[0].hServer})[0].quality);
+    BOOL isActive = TRUE;
+    as<IOPCGroupStateMgt>(clone.Get())->SetState(nullptr, &revised, &isActive, nullptr, nullptr, nullptr, nullptr);
+    const ReadItem value = readItems(clone.Get(), {items[0].hServer})[0];
+    check("clone.active", value.quality == 0xC0 && value.type == VT_R4 && value.number == 12.25);
+}
+
 } // namespace
 
 void testState()
@@ -60,27 +88,7 @@ void testState()
     checkResult("state.rename", S_OK, state->SetName(L"Новое имя"));
     checkText("state.renamed", L"Новое имя", State(state.Get()).name.get());
 
-    const auto handles = addItems(group.items.Get(), {And3 + L".DATA.Angl_Y", And3 + L".STATE.Restart"}, VT_R4);
-    ComPtr<IUnknown> unknown;
-    checkResult(
-        "clone.taken", static_cast<HRESULT>(0xC004000C),
-        state->CloneGroup(L"другая", __uuidof(IOPCItemMgt), unknown.GetAddressOf()));
-    checkResult("clone", S_OK, state->CloneGroup(L"клон", __uuidof(IOPCItemMgt), unknown.ReleaseAndGetAddressOf()));
-    const auto clone = as<IOPCItemMgt>(unknown.Get());
-    const State copied(as<IOPCGroupStateMgt>(clone.Get()).Get());
-    checkText("clone.name", L"клон", copied.name.get());
-    check("clone.state", copied.rate == 50 && !copied.isActive && copied.client == 99 && copied.bias == -180);
-    ComPtr<IUnknown> list;
-    clone->CreateEnumerator(__uuidof(IEnumOPCItemAttributes), list.GetAddressOf());
-    Allocated<OPCITEMATTRIBUTES> items;
-    ULONG fetched = 0;
-    as<IEnumOPCItemAttributes>(list.Get())->Next(10, &items, &fetched);
-    check("clone.items", fetched == 2 && items[0].vtRequestedDataType == VT_R4 && items[0].hServer != handles[0]);
-    checkNumber("clone.inactive", 0x1C, readItems(clone.Get(), {items[0].hServer})[0].quality);
-    BOOL isActive = TRUE;
-    as<IOPCGroupStateMgt>(clone.Get())->SetState(nullptr, &revised, &isActive, nullptr, nullptr, nullptr, nullptr);
-    const ReadItem value = readItems(clone.Get(), {items[0].hServer})[0];
-    check("clone.active", value.quality == 0xC0 && value.type == VT_R4 && value.number == 12.25);
+    testClone(group.items.Get());
 }
 
 } // namespace opctest
