@@ -58,6 +58,24 @@ std::vector<OPCHANDLE> addItems(
     IOPCItemMgt *group, const std::vector<std::wstring> &ids, VARTYPE type = VT_EMPTY,
     std::vector<HRESULT> *errors = nullptr);
 
+/// What GetState tells of a group.
+struct State
+{
+    DWORD rate = 0;
+    BOOL isActive = FALSE;
+    AllocatedText name;
+    LONG bias = 0;
+    FLOAT deadband = 0;
+    DWORD locale = 0;
+    OPCHANDLE client = 0;
+    OPCHANDLE server = 0;
+
+    explicit State(IOPCGroupStateMgt *group)
+    {
+        group->GetState(&rate, &isActive, &name, &bias, &deadband, &locale, &client, &server);
+    }
+};
+
 struct ReadItem
 {
     HRESULT error = E_FAIL;

@@ -5,23 +5,6 @@ namespace opctest {
 
 namespace {
 
-struct State
-{
-    DWORD rate = 0;
-    BOOL isActive = FALSE;
-    AllocatedText name;
-    LONG bias = 0;
-    FLOAT deadband = 0;
-    DWORD locale = 0;
-    OPCHANDLE client = 0;
-    OPCHANDLE server = 0;
-
-    explicit State(IOPCGroupStateMgt *group)
-    {
-        group->GetState(&rate, &isActive, &name, &bias, &deadband, &locale, &client, &server);
-    }
-};
-
 /// Against a group that was set to 50 ms, a bias of -180 and the client handle 99.
 void testClone(IOPCItemMgt *group)
 {
