@@ -195,9 +195,9 @@ void TestWindPulses::countsAPort()
     RawSample sample;
     QCOMPARE(source.measure({}, sample), QString());
     QVERIFY(!sample.winds[0].frequency);
-    // 20 ms or more between two pulses, whatever the computer does meanwhile.
+    // 20 ms or more between two pulses, whatever the computer does meanwhile; but the first may be heard late.
     QVERIFY2(
-        *sample.winds[2].frequency > 1 && *sample.winds[2].frequency <= 50,
+        *sample.winds[2].frequency > 1 && *sample.winds[2].frequency < 100,
         QByteArray::number(*sample.winds[2].frequency));
     QVERIFY(sample.winds[2].phase);
 }
