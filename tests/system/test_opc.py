@@ -2,11 +2,13 @@
 import datetime
 import hashlib
 import json
+import os
 import pathlib
 import socket
 import subprocess
 import time
 import unittest
+import unittest.mock
 
 from site_under_test import PROGRAMS, ModbusClient, Site, annex, free_port, read_tilt
 
@@ -210,7 +212,9 @@ class OpcEnd(unittest.TestCase):
 
     def test_a_gateway_that_never_reads_costs_nothing(self):
         site, port = self.site()
-        site.start()
+        # What a sanitizer keeps of memory that was given back is not the program's.
+        with unittest.mock.patch.dict(os.environ, {"ASAN_OPTIONS": "quarantine_size_mb=1"}):
+            site.start()
         site.wait_for(lambda last: "tiltX" in last.get(1, {}))
         with socket.create_connection(("127.0.0.1", port), timeout=30) as lazy:
             other = Gateway(port)
