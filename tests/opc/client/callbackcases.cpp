@@ -1,6 +1,8 @@
 #include "tests/opc/client/cases.h"
 #include "tests/opc/client/listener.h"
 
+#include <algorithm>
+
 namespace opctest {
 
 namespace {
@@ -106,13 +108,16 @@ void testAsynchronous(IOPCServer *server)
     Allocated<HRESULT> aged;
     io->ReadMaxAge(2, handles.data(), ages, 43, &cancel, &aged);
     check("async.maxage", happens([&] { return listener->count(Call::ReadComplete) == 2; }));
-    listener->clear();
+    // What the subscription itself tells has the transaction 0 and comes when it comes.
+    const auto isTold = [&](DWORD transaction) {
+        return std::ranges::count_if(listener->calls(), [&](const Call &call) {
+                   return call.kind == Call::Change && call.transaction == transaction;
+               }) == 1;
+    };
     checkResult("async.refresh", S_OK, io->Refresh2(OPC_DS_CACHE, 44, &cancel));
-    check("async.refresh.change", happens([&] {
-              return listener->count(Call::Change) == 1 && listener->calls().back().transaction == 44;
-          }));
+    check("async.refresh.change", happens([&] { return isTold(44); }));
     checkResult("async.refreshmaxage", S_OK, io->RefreshMaxAge(0, 45, &cancel));
-    check("async.refreshmaxage.change", happens([&] { return listener->count(Call::Change) == 2; }));
+    check("async.refreshmaxage.change", happens([&] { return isTold(45); }));
 
     VARIANT values[2]{};
     Allocated<HRESULT> refused;
