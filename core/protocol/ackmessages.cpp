@@ -116,6 +116,20 @@ int valuesPerParameter(int command)
     return command >= firstDataCommand && command <= lastDataCommand ? counts[static_cast<std::size_t>(command)] : 0;
 }
 
+QList<std::optional<double> WeatherParameter::*> membersOf(int command)
+{
+    using P = WeatherParameter;
+    switch (command) {
+    case 2: return {&P::mean, &P::instant};
+    case 3: return {&P::mean, &P::minimum, &P::maximum};
+    case 4: return {&P::mean, &P::instant, &P::minimum, &P::maximum};
+    case 5: return {&P::mean, &P::instant, &P::minimum, &P::maximum, &P::voltage};
+    case 6: return {&P::mean, &P::instant, &P::minimum, &P::maximum, &P::voltage, &P::voltageInstant};
+    case 7: return {&P::mean, &P::maxPeriod, &P::deviation};
+    default: return {&P::mean};
+    }
+}
+
 Request ask(const Question &question, quint32 outputs)
 {
     return {encodeHeader({question.address, question.command, 0, outputs}), [question](QByteArrayView received) {

@@ -3,6 +3,7 @@
 #include "core/protocol/ackframe.h"
 #include "core/protocol/request.h"
 #include "core/values/result.h"
+#include "core/values/weather.h"
 
 #include <QList>
 
@@ -22,6 +23,9 @@ using Values = QList<std::optional<float>>;
 
 /// How many values a parameter has in the answer to \a command, 1…8: 1, 2, 3, 4, 5, 6, 3, 1; 0: no data command.
 int valuesPerParameter(int command);
+
+/// What the values of a parameter are, in the order in which \a command, 1…8, sends them (manual 004, section 4.2).
+QList<std::optional<double> WeatherParameter::*> membersOf(int command);
 
 /// A data command: who is asked for what. An answer does not repeat the command, so the question is remembered.
 struct Question

@@ -1,28 +1,11 @@
 #include "core/devices/mk14/mk14values.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace gorizont::mk14 {
 
 namespace {
-
-using Member = std::optional<double> WeatherParameter::*;
-
-/// What the values of a parameter are, in the order in which a command sends them.
-QList<Member> membersOf(int command)
-{
-    using P = WeatherParameter;
-    switch (command) {
-    case 2: return {&P::mean, &P::instant};
-    case 3: return {&P::mean, &P::minimum, &P::maximum};
-    case 4: return {&P::mean, &P::instant, &P::minimum, &P::maximum};
-    case 5: return {&P::mean, &P::instant, &P::minimum, &P::maximum, &P::voltage};
-    case 6: return {&P::mean, &P::instant, &P::minimum, &P::maximum, &P::voltage, &P::voltageInstant};
-    case 7: return {&P::mean, &P::maxPeriod, &P::deviation};
-    default: return {&P::mean};
-    }
-}
 
 std::optional<double> number(const std::optional<float> &value)
 {
@@ -73,7 +56,7 @@ WeatherParameter named(qsizetype place, const QList<ParameterName> &names)
 
 void put(Weather &weather, int command, const ack::Answer &answer, const QList<ParameterName> &names)
 {
-    const QList<Member> members = membersOf(command);
+    const auto members = ack::membersOf(command);
     weather.digital = answer.digital;
     weather.parameters.resize(std::min(weather.parameters.size(), answer.parameters.size()));
     for (qsizetype i = 0; i < answer.parameters.size(); ++i) {

@@ -1,28 +1,10 @@
 #include "core/station/service/weatheranswer.h"
 
 #include <algorithm>
-#include <array>
 
 namespace gorizont::station {
 
 namespace {
-
-using Member = std::optional<double> WeatherParameter::*;
-
-/// The values of a parameter in the order in which \a command sends them.
-QList<Member> membersOf(int command)
-{
-    using P = WeatherParameter;
-    switch (command) {
-    case 2: return {&P::mean, &P::instant};
-    case 3: return {&P::mean, &P::minimum, &P::maximum};
-    case 4: return {&P::mean, &P::instant, &P::minimum, &P::maximum};
-    case 5: return {&P::mean, &P::instant, &P::minimum, &P::maximum, &P::voltage};
-    case 6: return {&P::mean, &P::instant, &P::minimum, &P::maximum, &P::voltage, &P::voltageInstant};
-    case 7: return {&P::mean, &P::maxPeriod, &P::deviation};
-    default: return {&P::mean};
-    }
-}
 
 std::optional<float> narrowed(const std::optional<double> &value)
 {
@@ -45,10 +27,10 @@ ack::Answer answerOf(int command, const Weather &weather, qsizetype count, const
 {
     ack::Answer answer;
     answer.digital = weather.digital;
-    const QList<Member> members = membersOf(command);
+    const auto members = ack::membersOf(command);
     for (const WeatherParameter &parameter : weather.parameters.first(std::min(count, weather.parameters.size()))) {
         ack::Values values;
-        for (const Member member : members) {
+        for (const auto member : members) {
             values.append(narrowed(parameter.*member));
         }
         answer.parameters.append(values);
@@ -70,7 +52,7 @@ Weather weatherOf(int command, const ack::Answer &answer, const QList<std::optio
 {
     Weather weather;
     weather.digital = answer.digital;
-    const QList<Member> members = membersOf(command);
+    const auto members = ack::membersOf(command);
     for (qsizetype i = 0; i < answer.parameters.size(); ++i) {
         WeatherParameter parameter;
         const auto id = ids.value(i);
